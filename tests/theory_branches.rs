@@ -198,7 +198,8 @@ fn the_secular_matrices_of_the_combination_tongue_are_the_projection_and_lead_to
             let [value, size] = condition(sign * combination::half_width_printed(&modes));
             value.abs() / size
         });
-        let (on, off) = if part == 0 { (right, left) } else { (left, right) };
+        // Unlike the primary tongues': the cosines lead to the left edge, the sines to the right one.
+        let (on, off) = if part == 0 { (left, right) } else { (right, left) };
         assert!(on < 1e-10 && off > 1e-3, "(105): {on} {off}");
     }
 }
