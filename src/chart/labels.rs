@@ -80,7 +80,8 @@ impl Crowd {
     pub fn add_line(&mut self, points: &[[f64; 2]]) {
         for pair in points.windows(2) {
             let (from, to) = (pair[0], pair[1]);
-            let steps = ((to[0] - from[0]).hypot(to[1] - from[1]) / (0.6 * CELL)).ceil().clamp(1.0, 1e4) as usize;
+            let steps =
+                ((to[0] - from[0]).hypot(to[1] - from[1]) / (0.6 * CELL)).ceil().clamp(1.0, 1e4) as usize;
             for step in 0..=steps {
                 let t = step as f64 / steps as f64;
                 self.add_point([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
@@ -164,7 +165,13 @@ pub fn place(requests: &[Request], crowd: &mut Crowd, within: &Rect) -> Vec<Plac
     placed
 }
 
-fn best_place(request: &Request, label: &Label, crowd: &Crowd, sums: &[u32], within: &Rect) -> Option<Candidate> {
+fn best_place(
+    request: &Request,
+    label: &Label,
+    crowd: &Crowd,
+    sums: &[u32],
+    within: &Rect,
+) -> Option<Candidate> {
     let (width, height) = (label.width, label.height());
     if width <= 0.0 {
         return None;
@@ -241,7 +248,8 @@ fn along_curve(pieces: &[Vec<[f64; 2]>], wanted: [f64; 2], width: f64, height: f
         ([1.0, 0.0], 2.0),
         ([-1.0, 0.0], 2.0),
     ];
-    let length: f64 = pieces.iter().flat_map(|piece| piece.windows(2)).map(|pair| distance(pair[0], pair[1])).sum();
+    let length: f64 =
+        pieces.iter().flat_map(|piece| piece.windows(2)).map(|pair| distance(pair[0], pair[1])).sum();
     let step = (length / 120.0).max(4.0);
     let mut found = Vec::new();
     let mut around = |point: [f64; 2]| {
@@ -252,7 +260,11 @@ fn along_curve(pieces: &[Vec<[f64; 2]>], wanted: [f64; 2], width: f64, height: f
                 let middle =
                     [point[0] + side * (beside + width / 2.0), point[1] + rise * (over + height / 2.0)];
                 let from = (gap > LEADER_FROM).then_some(point);
-                found.push(Candidate { middle, cost: NEARNESS * distance(point, wanted) + 1.5 * gap + cost, from });
+                found.push(Candidate {
+                    middle,
+                    cost: NEARNESS * distance(point, wanted) + 1.5 * gap + cost,
+                    from,
+                });
             }
         }
     };

@@ -78,7 +78,9 @@ pub fn set(markup: &str, size: f64, base: Face) -> Label {
         let is_prime = |letter: &Letter| letter.level == Level::Base && letter.character == '\u{2032}';
         // Primes are runs of their own: a lowered text goes under them.
         let same = |letter: &&Letter| {
-            letter.italic == first.italic && letter.level == first.level && is_prime(letter) == is_prime(&first)
+            letter.italic == first.italic
+                && letter.level == first.level
+                && is_prime(letter) == is_prime(&first)
         };
         let end = index + letters[index..].iter().take_while(same).count();
         let face = if first.italic { Face::Italic } else { base };

@@ -97,7 +97,8 @@ fn axis_edge(projection: &Projection, axis: usize) -> [[f64; 3]; 2] {
     let mut from = [0.0; 3];
     if axis == 2 {
         // Of the two upright edges of the outline, the one farther left.
-        let corner = |x_near: bool| [projection.wall(0, x_near), projection.wall(1, !x_near), projection.low[2]];
+        let corner =
+            |x_near: bool| [projection.wall(0, x_near), projection.wall(1, !x_near), projection.low[2]];
         let (one, other) = (corner(true), corner(false));
         from = if projection.pixel(&one)[0] <= projection.pixel(&other)[0] { one } else { other };
     } else {
@@ -181,7 +182,8 @@ fn draw_axis<S: Surface>(
     if long < 2.5 * sizes.tick {
         return painter.strokes(&lines, theme.axis, AXIS_WIDTH, 1.0);
     }
-    let center = projection.pixel(&std::array::from_fn(|i| f64::midpoint(projection.low[i], projection.high[i])));
+    let center =
+        projection.pixel(&std::array::from_fn(|i| f64::midpoint(projection.low[i], projection.high[i])));
     let middle = [f64::midpoint(from[0], to[0]), f64::midpoint(from[1], to[1])];
     let mut out = [(to[1] - from[1]) / long, (from[0] - to[0]) / long];
     if out[0] * (middle[0] - center[0]) + out[1] * (middle[1] - center[1]) < 0.0 {

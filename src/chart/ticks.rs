@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn round_and_within() {
         let found = ticks(-0.613, 0.6, 6);
-assert_eq!(found.labels, ["\u{2212}0.50", "\u{2212}0.25", "0.00", "0.25", "0.50"]);
+        assert_eq!(found.labels, ["\u{2212}0.50", "\u{2212}0.25", "0.00", "0.25", "0.50"]);
         assert!(found.values.iter().all(|value| (-0.613..=0.6).contains(value)));
     }
 
@@ -93,14 +93,19 @@ assert_eq!(found.labels, ["\u{2212}0.50", "\u{2212}0.25", "0.00", "0.25", "0.50"
     #[test]
     fn very_large_and_small_numbers_share_a_power_of_ten() {
         let large = ticks(0.0, 3e6, 4);
-        assert_eq!((large.exponent, large.labels.clone()), (6, vec!["0".into(), "1".into(), "2".into(), "3".into()]));
+        assert_eq!(
+            (large.exponent, large.labels.clone()),
+            (6, vec!["0".into(), "1".into(), "2".into(), "3".into()])
+        );
         let small = ticks(-2e-7, 2e-7, 5);
         assert_eq!((small.exponent, small.labels[0].as_str()), (-7, "\u{2212}2"));
     }
 
     #[test]
     fn labels_say_the_value_and_never_repeat() {
-        for (low, high, most) in [(0.1, 0.7, 7), (-1e-3, 3.0, 9), (17.3, 17.9, 8), (-5e4, 7e4, 6), (99.9, 100.1, 5)] {
+        for (low, high, most) in
+            [(0.1, 0.7, 7), (-1e-3, 3.0, 9), (17.3, 17.9, 8), (-5e4, 7e4, 6), (99.9, 100.1, 5)]
+        {
             let found = ticks(low, high, most);
             assert!(found.values.len() >= 2, "{low} {high}");
             for (value, label) in found.values.iter().zip(&found.labels) {

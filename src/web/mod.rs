@@ -1,1 +1,3 @@
 //! The boundary to JavaScript.
+
+pub mod canvas;

@@ -59,7 +59,11 @@ fn branch(mut into: Series, from: f64, to: f64, sign: f64, solid: bool) -> Serie
             let omega = from + t * (to - from);
             let radius = (sign * (omega - from) * 15.0).max(0.0).sqrt();
             into.x.push(omega);
-            into.y.push(if solid { if from * sign < 0.0 { 0.0 } else { side * radius } } else { side * radius });
+            into.y.push(if solid {
+                if from * sign < 0.0 { 0.0 } else { side * radius }
+            } else {
+                side * radius
+            });
             if solid {
                 into.z.push(if from * sign < 0.0 { side * radius } else { 0.0 });
             }
@@ -104,14 +108,18 @@ pub fn pitchforks() -> Drawing {
             let at = 2 * row + usize::from(solid);
             let edge = sign * HALF_WIDTH;
             let name = |what: &str| format!("{what} {word} {solid}");
-            let exact = |what: &str, stable: bool| stability(series(at, &name(what), Role::Exact, Mark::Curve), stable);
+            let exact = |what: &str, stable: bool| {
+                stability(series(at, &name(what), Role::Exact, Mark::Curve), stable)
+            };
             let origin_out = line(exact("origin outside", true), &[[-0.6, 0.0], [-HALF_WIDTH, 0.0]], solid);
-            let origin_in = line(exact("origin inside", false), &[[-HALF_WIDTH, 0.0], [HALF_WIDTH, 0.0]], solid);
+            let origin_in =
+                line(exact("origin inside", false), &[[-HALF_WIDTH, 0.0], [HALF_WIDTH, 0.0]], solid);
             let origin_far = line(exact("origin beyond", true), &[[HALF_WIDTH, 0.0], [0.6, 0.0]], solid);
             let end = sign * 0.6;
             let stable = branch(exact("stable branch", true), -edge, end, sign, solid);
             let unstable = branch(exact("unstable branch", false), edge, end, sign, solid);
-            let mut paper = branch(series(at, &name("paper"), Role::Paper, Mark::Curve), -edge * 1.15, end, sign, solid);
+            let mut paper =
+                branch(series(at, &name("paper"), Role::Paper, Mark::Curve), -edge * 1.15, end, sign, solid);
             paper.stable = Some(true);
             let words = !solid;
             drawing.series.push(if words { labelled(paper, "paper (63)", 0.4) } else { paper });
@@ -119,8 +127,13 @@ pub fn pitchforks() -> Drawing {
             drawing.series.push(if words { labelled(origin_in, "unstable", 0.5) } else { origin_in });
             drawing.series.push(origin_far);
             drawing.series.push(if words { labelled(stable, "sine branch, stable", 0.3) } else { stable });
-            drawing.series.push(if words { labelled(unstable, "cosine branch, unstable", 0.9) } else { unstable });
-            let left = line(series(at, &name("super"), Role::Supercritical, Mark::Marks), &[[-edge, 0.0]], solid);
+            drawing.series.push(if words {
+                labelled(unstable, "cosine branch, unstable", 0.9)
+            } else {
+                unstable
+            });
+            let left =
+                line(series(at, &name("super"), Role::Supercritical, Mark::Marks), &[[-edge, 0.0]], solid);
             let right = line(series(at, &name("sub"), Role::Subcritical, Mark::Marks), &[[edge, 0.0]], solid);
             drawing.series.push(labelled(left, "*Ω*_{L}", 0.0));
             drawing.series.push(labelled(right, "*Ω*_{R}", 0.0));
@@ -189,7 +202,10 @@ pub fn nodes() -> Drawing {
         let mut dots = series(0, &format!("points {sign}"), Role::Trajectory, Mark::Marks);
         for i in 0..120 {
             let t = f64::from(i) / 8.0;
-            let (x, y) = (2.9 * (1.0 - (-t * 0.5).exp() * (t * 0.9).cos()), -1.6 * (-t * 0.35).exp() * (t * 0.9).sin());
+            let (x, y) = (
+                2.9 * (1.0 - (-t * 0.5).exp() * (t * 0.9).cos()),
+                -1.6 * (-t * 0.35).exp() * (t * 0.9).sin(),
+            );
             path.x.push(sign * x);
             path.y.push(sign * y);
             dots.x.push(sign * x);
@@ -229,7 +245,8 @@ pub fn response() -> Drawing {
         for i in 0..=24_000 {
             let t = f64::from(i) / 200.0;
             let growth = if row == 0 { 0.8 * (t / 24.0).exp() } else { 1.6 * (-t / 9.0).exp() + 0.3 };
-            let bounded = if row == 0 { 2.6 * (1.0 - (-t / 14.0).exp()) } else { 1.6 * (-t / 9.0).exp() + 0.3 };
+            let bounded =
+                if row == 0 { 2.6 * (1.0 - (-t / 14.0).exp()) } else { 1.6 * (-t / 9.0).exp() + 0.3 };
             contact.x.push(t);
             contact.y.push(2.5 - growth * (0.8 * t).cos() - 0.4 * (1.6 * t).sin());
             backlash.x.push(t);
@@ -269,7 +286,13 @@ pub fn schematic() -> Drawing {
         let mut spring = series(0, &format!("spring {sign}"), Role::Link, Mark::Curve);
         for i in 0..=12 {
             let x = 3.12 + f64::from(i) * 0.18;
-            let y = if i == 0 || i == 12 { 0.0 } else if i % 2 == 0 { 0.3 } else { -0.3 };
+            let y = if i == 0 || i == 12 {
+                0.0
+            } else if i % 2 == 0 {
+                0.3
+            } else {
+                -0.3
+            };
             spring.x.push(sign * x);
             spring.y.push(y);
         }
