@@ -41,6 +41,8 @@ pub enum Failure {
         /// What is wrong with it.
         reason: String,
     },
+    /// Something that has already been told, where it belongs.
+    Told,
 }
 
 impl Failure {
@@ -63,6 +65,7 @@ impl fmt::Display for Failure {
             Self::Missing { tool, advice } => write!(f, "{tool} is needed and was not found. {advice}"),
             Self::Command { command, status } => write!(f, "`{command}` failed ({status})"),
             Self::File { path, source } => write!(f, "{}: {source}", path.display()),
+            Self::Told => write!(f, "it failed as told above"),
             Self::Invalid { subject, reason } => write!(f, "{subject}: {reason}"),
         }
     }

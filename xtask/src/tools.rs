@@ -39,3 +39,60 @@ pub fn ensure_wasm_target() -> Result<(), Failure> {
 pub fn wasm_artifact() -> PathBuf {
     place::target().join(WASM_TARGET).join("release").join("gear_bifurcations.wasm")
 }
+
+/// Oldest Node that runs the module and its tests.
+const OLDEST_NODE: u32 = 20;
+
+/// Sees to it that Node and the npm packages of package-lock.json are there.
+pub fn ensure_node_packages() -> Result<(), Failure> {
+    let advice = "Install Node.js 20 or newer, npm with it (https://nodejs.org, or your distribution's nodejs and npm).";
+    for tool in ["node", "npm"] {
+        if find(tool).is_none() {
+            return Err(Failure::Missing { tool, advice });
+        }
+    }
+    let version = output_of(&mut program("node", &["--version"]))?;
+    let major = version.trim().trim_start_matches('v').split('.').next().and_then(|major| major.parse().ok());
+    if major.is_none_or(|major: u32| major < OLDEST_NODE) {
+        return Err(Failure::Missing { tool: "a newer Node.js", advice });
+    }
+    if packages_are_current() {
+        return Ok(());
+    }
+    run(&mut program("npm", &["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))
+}
+
+/// Whether `node_modules` was installed after the lock file last changed.
+fn packages_are_current() -> bool {
+    let modified =
+        |name: &str| std::fs::metadata(place::root().join(name)).and_then(|file| file.modified()).ok();
+    match (modified("node_modules/.package-lock.json"), modified("package-lock.json")) {
+        (Some(installed), Some(locked)) => installed >= locked,
+        _ => false,
+    }
+}
+
+/// Where Chromium is: the one named by the variable CHROMIUM, one on the search path, or Debian's, installed now.
+pub fn ensure_chromium() -> Result<PathBuf, Failure> {
+    if let Some(given) = std::env::var_os("CHROMIUM") {
+        return Ok(PathBuf::from(given));
+    }
+    let names = ["chromium", "chromium-browser", "google-chrome"];
+    let present = || names.iter().find_map(|name| find(name));
+    if let Some(chromium) = present() {
+        return Ok(chromium);
+    }
+    let advice =
+        "Install it (Debian, Ubuntu: `apt-get install chromium`), or name one in the variable CHROMIUM.";
+    let missing = Failure::Missing { tool: "Chromium", advice };
+    let root = output_of(&mut program("id", &["-u"])).is_ok_and(|id| id.trim() == "0");
+    if !root || find("apt-get").is_none() {
+        return Err(missing);
+    }
+    println!("installing Chromium");
+    let quietly =
+        |arguments: &[&str]| run(program("apt-get", arguments).env("DEBIAN_FRONTEND", "noninteractive"));
+    quietly(&["update", "-q"])?;
+    quietly(&["install", "-q", "-y", "--no-install-recommends", "chromium"])?;
+    present().ok_or(missing)
+}
