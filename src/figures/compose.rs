@@ -105,6 +105,13 @@ impl Line {
         Self { name: name.into(), meaning: meaning.into(), stable: None, role, label: None, label_at: 0.5 }
     }
 
+    /// The same under a name with this at its end, and without its label: for a second view of the same thing.
+    pub(super) fn renamed(mut self, suffix: &str) -> Self {
+        self.name.push_str(suffix);
+        self.label = None;
+        self
+    }
+
     /// With its stability.
     pub(super) fn stable(mut self, stable: bool) -> Self {
         self.stable = Some(stable);

@@ -69,26 +69,25 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
         number(least, 4),
         number(greatest, 4)
     );
-    let mut figure = Figure {
+    Ok(Figure {
         id,
         parameters: *parameters,
-        drawing: Drawing { grid: (1, 1), frames: Vec::new(), series: Vec::new() },
+        drawing: drawing(parameters, &motion, 0.0),
         summary,
         method: response.method,
         error: response.error,
         motion: Some(motion),
         notes,
-    };
-    figure.drawing = at_time(&figure, 0.0);
-    Ok(figure)
+    })
 }
 
 /// The drawing at a time of the figure's motion, which is repeated without end.
-pub(super) fn at_time(figure: &Figure, time: f64) -> Drawing {
-    let Some(motion) = &figure.motion else {
-        return figure.drawing.clone();
-    };
-    let pose = Pose::at(&figure.parameters, motion, time);
+pub(super) fn at_time(figure: &Figure, motion: &Motion, time: f64) -> Drawing {
+    drawing(&figure.parameters, motion, time)
+}
+
+fn drawing(parameters: &Parameters, motion: &Motion, time: f64) -> Drawing {
+    let pose = Pose::at(parameters, motion, time);
     let mut composer = Composer::new((3, 2));
     let main = composer.frame(Frame {
         span: (2, 2),
