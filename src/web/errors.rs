@@ -175,13 +175,13 @@ fn plain(code: &'static str, message: String) -> WebError {
 }
 
 /// Undoes what the model's errors do to a value to put it into a sentence.
-fn given_from_text(text: String) -> Given {
-    match text.as_str() {
+fn given_from_text(text: &str) -> Given {
+    match text {
         "NaN" => Given::Number(f64::NAN),
         "inf" | "Infinity" => Given::Number(f64::INFINITY),
         "-inf" | "-Infinity" => Given::Number(f64::NEG_INFINITY),
         _ => Given::Text(
-            text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).map_or(text.clone(), Into::into),
+            text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).unwrap_or(text).into(),
         ),
     }
 }
@@ -198,7 +198,7 @@ impl From<ModelError> for WebError {
                 ("unknown-parameter", name, given, Allowed::Text(names.join(", ")))
             }
             ModelError::NotANumber { parameter, given, low, high } => {
-                ("not-a-number", parameter, given_from_text(given), Allowed::Range(low, high))
+                ("not-a-number", parameter, given_from_text(&given), Allowed::Range(low, high))
             }
             ModelError::OutOfRange { parameter, given, low, high } => {
                 ("out-of-range", parameter, Given::Number(given), Allowed::Range(low, high))
@@ -292,7 +292,7 @@ impl From<StudyError> for WebError {
             StudyError::Option { option, given, allowed } => Self {
                 code: "option",
                 parameter: Some(option.into()),
-                given: given_from_text(given),
+                given: given_from_text(&given),
                 allowed: Allowed::Text(allowed),
                 message,
             },

@@ -4,14 +4,12 @@ use wasm_bindgen::JsValue;
 
 use crate::error::ModelError;
 use crate::model::parameters::{Parameters, Regime, Value, info};
+use crate::study::motion::TOLERANCE;
 use crate::web::errors::{Allowed, Given, WebError};
 use crate::web::values;
 
 /// Largest absolute value of a coordinate of a state.
 pub const LARGEST_COORDINATE: f64 = 1e6;
-
-/// A tolerance of integration: relative, dimensionless.
-pub const TOLERANCE: (f64, f64) = (1e-14, 1e-3);
 
 /// The default tolerance.
 pub const DEFAULT_TOLERANCE: f64 = 1e-10;

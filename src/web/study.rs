@@ -16,9 +16,7 @@ const MOST_PERIODS: f64 = 1e5;
 /// Finest sampling, rows a period.
 const MOST_SAMPLES: usize = 10_000;
 /// Most rows of one answer.
-const MOST_ROWS: usize = 1_000_000;
-/// Longest period of an orbit that is searched for, mesh periods.
-const LONGEST_ORBIT: usize = 64;
+const MOST_ROWS: usize = response::MOST_ROWS as usize;
 
 /// Floquet multipliers: `multipliers(params, {tolerance})`.
 ///
@@ -113,8 +111,9 @@ pub fn poincare(params: &JsValue, options: &JsValue) -> Result<JsValue, JsValue>
 #[wasm_bindgen(js_name = periodicOrbit)]
 pub fn periodic_orbit(params: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
     let options = Options::read(options, &["period", "guess", "tolerance"])?;
+    let usual = OrbitOptions::default();
     let asked = OrbitOptions {
-        period: options.whole("period", (1, LONGEST_ORBIT), 1)?,
+        period: options.whole("period", (1, orbit::LONGEST), usual.period)?,
         guess: options.state("guess")?,
         tolerance: options.tolerance()?,
     };
