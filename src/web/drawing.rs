@@ -251,7 +251,9 @@ fn check_series(part: &Part, series: &Series, in_space: bool) -> Result<(), WebE
     let points = series.x.len();
     let third = if in_space { points } else { 0 };
     if series.y.len() != points || series.z.len() != third {
-        return Err(part.unfit("columns of other lengths", "columns of one length, z only in a view in space"));
+        return Err(
+            part.unfit("columns of other lengths", "columns of one length, z only in a view in space")
+        );
     }
     let rising = series.pieces.windows(2).all(|pair| pair[0] < pair[1]);
     if !rising || series.pieces.iter().any(|piece| *piece >= points) {

@@ -50,7 +50,8 @@ pub struct WebError {
 impl WebError {
     /// An option that is unknown, of the wrong type or out of range.
     pub fn option(name: &str, given: Given, allowed: Allowed) -> Self {
-        let message = format!("the option {name} must be {}, but {} was given", allowed.words(), given.words());
+        let message =
+            format!("the option {name} must be {}, but {} was given", allowed.words(), given.words());
         Self { code: "option", parameter: Some(name.into()), given, allowed, message }
     }
 
@@ -180,9 +181,9 @@ fn given_from_text(text: &str) -> Given {
         "NaN" => Given::Number(f64::NAN),
         "inf" | "Infinity" => Given::Number(f64::INFINITY),
         "-inf" | "-Infinity" => Given::Number(f64::NEG_INFINITY),
-        _ => Given::Text(
-            text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).unwrap_or(text).into(),
-        ),
+        _ => {
+            Given::Text(text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).unwrap_or(text).into())
+        }
     }
 }
 

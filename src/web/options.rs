@@ -131,12 +131,11 @@ impl Options {
     /// `option`.
     pub fn state(&self, name: &str) -> Result<Option<[f64; 6]>, WebError> {
         let Some(value) = self.get(name) else { return Ok(None) };
-        let allowed = || {
-            Allowed::Text(format!("six numbers, each from -{LARGEST_COORDINATE} to {LARGEST_COORDINATE}"))
-        };
-        let numbers =
-            values::numbers(value, 6).map_err(|given| WebError::option(name, given, allowed()))?;
-        if let Some(bad) = numbers.iter().find(|number| number.is_nan() || number.abs() > LARGEST_COORDINATE) {
+        let allowed =
+            || Allowed::Text(format!("six numbers, each from -{LARGEST_COORDINATE} to {LARGEST_COORDINATE}"));
+        let numbers = values::numbers(value, 6).map_err(|given| WebError::option(name, given, allowed()))?;
+        if let Some(bad) = numbers.iter().find(|number| number.is_nan() || number.abs() > LARGEST_COORDINATE)
+        {
             return Err(WebError::option(name, Given::Number(*bad), allowed()));
         }
         let length = numbers.len();

@@ -28,8 +28,7 @@ impl Part {
         }
         let value = Reflect::get(&self.value, &name.into())
             .map_err(|_| WebError::drawing(name, Given::Text("something unreadable".into()), "readable"))?;
-        let path =
-            if self.path == "the object" { name.to_string() } else { format!("{}.{name}", self.path) };
+        let path = if self.path == "the object" { name.to_string() } else { format!("{}.{name}", self.path) };
         Ok(Self { path, value })
     }
 
