@@ -222,7 +222,7 @@ impl Theme {
             Role::Link => Look { dash: None, radius: 2.5, ..plain(ink, 1.3) },
             Role::Event => mark(self.vermilion, Shape::Cross, 4.5, None),
             Role::IntervalStable => area(self.blue, 0.16),
-            Role::IntervalSaddle => area(self.vermilion, 0.16),
+            Role::IntervalSaddle => area(self.vermilion, 0.14),
             Role::IntervalSpiral => Look { stroke: self.orange.text, ..area(self.orange, 0.24) },
         }
     }
