@@ -20,6 +20,7 @@ cargo xtask serve [--port N]            build, then serve dist/ on 127.0.0.1 (80
                   [--no-build]          ... without building first
 cargo xtask test  [--quick]             all checks and tests; quick: no wasm lints, no documentation, no browser
 cargo xtask bench                       measure natively, in Node and in Chromium; writes docs/benchmarks.md
+cargo xtask goldens                     draw the figures anew into tests/goldens/
 cargo xtask screens                     pictures of the page into docs/screens/";
 
 fn main() -> ExitCode {
@@ -52,6 +53,12 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         }
         "test" => check::check(&command::Options::read(rest, &[], &["--quick"])?),
         "bench" => command::Options::read(rest, &[], &[]).and_then(|_| bench::bench()),
+        "goldens" => {
+            command::Options::read(rest, &[], &[])?;
+            let test =
+                ["test", "--quiet", "--test", "goldens", "every_figure_is_its_golden", "--", "--nocapture"];
+            command::run(command::cargo(&test).env("GOLDENS", "write"))
+        }
         "screens" => command::Options::read(rest, &[], &[]).and_then(|_| screens::screens()),
         "help" | "--help" | "-h" => {
             println!("{HELP}");
