@@ -490,15 +490,37 @@ fn the_cycles_of_t8_are_cycles_of_the_slow_flow_with_the_stability_they_claim() 
     assert!(stable > 40 && unstable > 20, "{stable} {unstable}");
 }
 
-/// One classical Runge-Kutta step after another of (25), homogeneous, on the manifold u_g = -u_p; state
-/// `u_p, u, u_p', u'`.
+/// (25), homogeneous, on the manifold `u_g = -u_p`; state `u_p, u, u_p', u'`.
+fn manifold_field(point: &Symmetric, t: f64, y: [f64; 4]) -> [f64; 4] {
+    let force = 2.0 * point.zeta * y[3] + (1.0 + point.k0 * (point.omega * t).cos()) * y[1];
+    let support = 2.0 * point.zeta_s * y[2] + point.k * y[0] + point.alpha * y[0].powi(3);
+    let body = -(support + force) / point.m;
+    [y[2], y[3], body, 2.0 * body - force]
+}
+
+#[test]
+fn the_modal_equations_t1_are_the_model() {
+    let mut uniform = Uniform(5);
+    for (m, k) in generated(40) {
+        let modes = Modes::new(m, k).expect("in range");
+        let mut next = || uniform.next() - 0.5;
+        let mut point = symmetric(m, k, next(), 0.03, 0.4, 1.3);
+        point.zeta_s = 0.1 + 0.1 * next();
+        let (q, q_dot) = ([next(), next()], [next(), next()]);
+        let in_model =
+            |[second, third]: [f64; 2]| [-2.0 * (second + third), modes.a * second + modes.b * third];
+        let ([u_p, u], [u_p_dot, u_dot]) = (in_model(q), in_model(q_dot));
+        let direct = manifold_field(&point, 0.7, [u_p, u, u_p_dot, u_dot]);
+        let modal = in_model(branches::modal_accelerations(&point, 0.7, q, q_dot).expect("in range"));
+        let size = (1.0 + k) * (1.0 + k / m) * (1.0 + 1.0 / m);
+        assert_close("[T1] u_p", modal[0], direct[2], 1e-12 * size);
+        assert_close("[T1] u", modal[1], direct[3], 1e-12 * size);
+    }
+}
+
+/// One classical Runge-Kutta step after another of [`manifold_field`].
 fn integrate(point: &Symmetric, mut state: [f64; 4], time: f64, steps: usize) -> [f64; 4] {
-    let field = |t: f64, y: [f64; 4]| {
-        let force = 2.0 * point.zeta * y[3] + (1.0 + point.k0 * (point.omega * t).cos()) * y[1];
-        let support = 2.0 * point.zeta_s * y[2] + point.k * y[0] + point.alpha * y[0].powi(3);
-        let body = -(support + force) / point.m;
-        [y[2], y[3], body, 2.0 * body - force]
-    };
+    let field = |t: f64, y: [f64; 4]| manifold_field(point, t, y);
     let h = time / steps as f64;
     for step in 0..steps {
         let t = step as f64 * h;
