@@ -142,7 +142,7 @@ pub(super) fn ground(at: Point, half_width: f64, outwards: f64) -> (Vec<Point>, 
     let line = vec![beside(at, 0.0, -half_width), beside(at, 0.0, half_width)];
     let hatch = (0..8)
         .map(|index| {
-            let across = -half_width + 2.0 * half_width * (index as f64 + 0.75) / 8.0;
+            let across = -half_width + 2.0 * half_width * (f64::from(index) + 0.75) / 8.0;
             [beside(at, 0.0, across), beside(at, outwards * 0.1, across - 0.1)]
         })
         .collect();

@@ -176,12 +176,11 @@ impl Map {
     fn follow(&mut self, index: usize, periods: usize) -> Result<(), FigureError> {
         for _ in 0..periods {
             let track = &mut self.tracks[index];
-            match track.strobe.next()? {
-                Some(state) => track.states.push(state),
-                None => {
-                    track.end = Some(End::Escaped(track.strobe.escaped().unwrap_or(0.0)));
-                    return Ok(());
-                }
+            if let Some(state) = track.strobe.next()? {
+                track.states.push(state)
+            } else {
+                track.end = Some(End::Escaped(track.strobe.escaped().unwrap_or(0.0)));
+                return Ok(());
             }
             if track.states.len() > MOST {
                 track.end = Some(End::Wandering);
