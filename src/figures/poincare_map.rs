@@ -20,7 +20,7 @@ const MOST: usize = 4000;
 /// Most periods followed from the others, which show how they come near.
 const MOST_FURTHER: usize = 1000;
 /// Periods computed in one slice.
-const SLICE: usize = 300;
+const SLICE: usize = 500;
 /// A start is followed until it is this near the attractor.
 const NEAR: f64 = 1e-3;
 /// Two points of the map this near, a few periods apart: an orbit is looked for there.
