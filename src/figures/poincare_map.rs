@@ -32,9 +32,9 @@ const TRANSIENT: f64 = 0.6;
 /// Tolerance of the integration.
 const TOLERANCE: f64 = 1e-10;
 /// Cells along each axis in which a second point is not drawn: a third of a pixel of an ordinary picture.
-const CELLS: f64 = 2400.0;
-/// The same for transients, whose points are half a pixel apart at least.
-const SPARSE: f64 = 1500.0;
+const CELLS: f64 = 2000.0;
+/// The same for transients, which are light and wide apart.
+const SPARSE: f64 = 1000.0;
 
 /// What the fixed point in the middle is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
