@@ -77,11 +77,6 @@ impl Composer {
         self.add(frame, Mark::Text, line, Points::one(at));
     }
 
-    /// The index of a frame by its name.
-    pub(super) fn index(&self, name: &str) -> Option<usize> {
-        self.drawing.frames.iter().position(|frame| frame.name == name)
-    }
-
     /// The drawing, done.
     pub(super) fn drawing(self) -> Drawing {
         self.drawing
@@ -172,6 +167,14 @@ impl Points {
         }
     }
 
+    /// Adds points that belong to no piece; those that are not finite are left out.
+    pub(super) fn cloud(&mut self, points: impl IntoIterator<Item = (f64, f64)>) {
+        for (x, y) in points.into_iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
+            self.x.push(x);
+            self.y.push(y);
+        }
+    }
+
     /// Adds a piece of points in space; points that are not finite end it and begin another.
     pub(super) fn piece_in_space(&mut self, points: impl IntoIterator<Item = (f64, f64, f64)>) {
         let mut open = false;
@@ -196,11 +199,6 @@ impl Points {
         let zero = vec![0.0; self.x.len()];
         let (y, z) = if upright { (zero, self.y.clone()) } else { (self.y.clone(), zero) };
         Self { x: self.x.clone(), y, z, pieces: self.pieces.clone() }
-    }
-
-    /// Whether there are no points.
-    pub(super) fn is_empty(&self) -> bool {
-        self.x.is_empty()
     }
 }
 
@@ -228,15 +226,15 @@ pub(super) fn number(value: f64, digits: usize) -> String {
     let text = if (-4.0..7.0).contains(&magnitude) {
         let places = (digits as f64 - 1.0 - magnitude).max(0.0) as usize;
         let text = format!("{:.places$}", value.abs());
-        if text.contains('.') {
-            text.trim_end_matches('0').trim_end_matches('.').to_owned()
-        } else {
-            text
-        }
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
     } else {
         format!("{:.*e}", digits.saturating_sub(1), value.abs())
     };
-    if value < 0.0 && text.contains(|c: char| ('1'..='9').contains(&c)) { format!("\u{2212}{text}") } else { text }
+    if value < 0.0 && text.contains(|c: char| ('1'..='9').contains(&c)) {
+        format!("\u{2212}{text}")
+    } else {
+        text
+    }
 }
 
 #[cfg(test)]

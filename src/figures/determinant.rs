@@ -76,7 +76,13 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters, mode: Mode) -> R
         number(-width, 5),
         number(width, 5)
     );
-    let mut figure = formula(id, parameters, composer, summary, &format!("closed formulas {}-{}", equations[0], equations[2]));
+    let mut figure = formula(
+        id,
+        parameters,
+        composer,
+        summary,
+        &format!("closed formulas {}-{}", equations[0], equations[2]),
+    );
     figure.notes.push(format!(
         "The equilibria on a branch exist only on one side of its star: for hardening supports (alpha > 0) on the right \
          of it, for softening ones on the left ({}).",

@@ -37,7 +37,8 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
     let k0 = symmetric.k0;
     let omega_0 = emanating_frequency(modes);
     let (printed_edge, edge) = (half_width_printed(modes), half_width(modes));
-    let damped_edge = combination_half_width(modes, symmetric).map(|width| width / k0).filter(|w| w.is_finite());
+    let damped_edge =
+        combination_half_width(modes, symmetric).map(|width| width / k0).filter(|w| w.is_finite());
     let widest = damped_edge.unwrap_or(0.0).max(printed_edge).max(edge);
     let range = about_zero(REACH * widest);
 
@@ -77,10 +78,12 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
         },
     ];
     let mut composer = Composer::new((2, 2));
-    for (column, (title, sets)) in
-        [("as printed, on the paper's scale", &sets[..1]), ("per unit of time, each mode rightly scaled", &sets[1..])]
-            .into_iter()
-            .enumerate()
+    for (column, (title, sets)) in [
+        ("as printed, on the paper's scale", &sets[..1]),
+        ("per unit of time, each mode rightly scaled", &sets[1..]),
+    ]
+    .into_iter()
+    .enumerate()
     {
         panels(&mut composer, column, title, range, sets);
     }
@@ -134,7 +137,11 @@ fn panels(composer: &mut Composer, column: usize, title: &str, range: (f64, f64)
             for number in 0..4 {
                 let line = Line::new(
                     format!("{name} {} {}", set.name, number + 1),
-                    format!("{} part of the {}", if name == "Re" { "real" } else { "imaginary" }, set.meaning),
+                    format!(
+                        "{} part of the {}",
+                        if name == "Re" { "real" } else { "imaginary" },
+                        set.meaning
+                    ),
                     set.role,
                 );
                 let line = if number == 0 { line.label(set.label, set.label_at) } else { line };

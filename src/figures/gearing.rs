@@ -50,7 +50,8 @@ pub(super) fn outline(centre: Point, teeth: usize, turn: f64, thinner: f64) -> V
     let pitch_radius = teeth as f64 * MODULE / 2.0;
     let base = base_radius(pitch_radius);
     let (root, tip) = (pitch_radius - 1.25 * MODULE, pitch_radius + MODULE);
-    let half_at_base = PI / (2.0 * teeth as f64) + PRESSURE_ANGLE.tan() - PRESSURE_ANGLE - 0.5 * thinner / base;
+    let half_at_base =
+        PI / (2.0 * teeth as f64) + PRESSURE_ANGLE.tan() - PRESSURE_ANGLE - 0.5 * thinner / base;
     let start = base.max(root);
     // Half a flank, from the root to the tip: radius and half the angle that the tooth subtends there.
     let mut flank = Vec::with_capacity(FLANK + 1);

@@ -9,7 +9,8 @@ use crate::error::FigureError;
 use crate::model::parameters::Parameters;
 use crate::theory::branches::{Cycle, cycles};
 use crate::theory::combination::{
-    PrintedSolution, emanating_frequency, half_width, half_width_printed, printed_solutions, printed_solutions_edge,
+    PrintedSolution, emanating_frequency, half_width, half_width_printed, printed_solutions,
+    printed_solutions_edge,
 };
 use crate::theory::damped::combination_half_width;
 use std::f64::consts::TAU;
@@ -42,7 +43,8 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
         ),
         None => {
             notes.push("Damping closes this tongue at this k0: there is no limit cycle.".to_owned());
-            "Damping closes the combination tongue: the origin is stable and no limit cycle is born.".to_owned()
+            "Damping closes the combination tongue: the origin is stable and no limit cycle is born."
+                .to_owned()
         }
     };
     let method = "nontrivial solutions of (106)-(109) as printed; with damping [T6], [T8]";
@@ -82,9 +84,8 @@ pub(super) fn damped(setting: &Setting, supports: Supports, end: f64) -> Result<
         let Some(last) = at(end)?[index] else {
             continue;
         };
-        let radius = |of: fn(Cycle) -> f64| {
-            half_parabola(edge, end, |omega_1| at(omega_1).ok()?[index].map(of))
-        };
+        let radius =
+            |of: fn(Cycle) -> f64| half_parabola(edge, end, |omega_1| at(omega_1).ok()?[index].map(of));
         all.push(Radii {
             edge,
             stable: last.stable,
@@ -104,7 +105,8 @@ pub(super) fn printed(setting: &Setting, end: f64) -> Vec<Radii> {
     let width = printed_solutions_edge(modes);
     let mut all = Vec::new();
     for edge in [-width, width] {
-        let Some(track) = follow(edge, end, |omega_1| printed_solutions(modes, alpha, omega_1).unwrap_or_default())
+        let Some(track) =
+            follow(edge, end, |omega_1| printed_solutions(modes, alpha, omega_1).unwrap_or_default())
         else {
             continue;
         };
@@ -176,7 +178,9 @@ fn panel(
             axis("B_1", "*B*_{1}", radius),
         )
     });
-    for (line, points) in origin(range, edge.map(|edge| (-edge, edge)), &format!("origin {name}"), Role::Corrected) {
+    for (line, points) in
+        origin(range, edge.map(|edge| (-edge, edge)), &format!("origin {name}"), Role::Corrected)
+    {
         composer.curve(space, line.clone().renamed(" 3-D"), points.lifted(false));
         composer.curve(flat, line, points);
     }
@@ -213,10 +217,13 @@ fn cycle(composer: &mut Composer, flat: usize, space: usize, radii: &Radii, name
         .label(&format!("*R*_{{{letter}}} {word}"), label_at);
         composer.curve(flat, line, Points::plane(curve.iter().copied()));
     }
-    let meaning = format!("the {word} limit cycle with damping [T8] as circles of radius R_B, {name} supports");
-    let line = Line::new(format!("cycle {name} {word} 3-D"), meaning.clone(), Role::Corrected).stable(radii.stable);
+    let meaning =
+        format!("the {word} limit cycle with damping [T8] as circles of radius R_B, {name} supports");
+    let line =
+        Line::new(format!("cycle {name} {word} 3-D"), meaning.clone(), Role::Corrected).stable(radii.stable);
     composer.curve(space, line, rings(&radii.b));
-    let line = Line::new(format!("tube {name} {word} 3-D"), meaning, Role::CorrectedSecond).stable(radii.stable);
+    let line =
+        Line::new(format!("tube {name} {word} 3-D"), meaning, Role::CorrectedSecond).stable(radii.stable);
     composer.curve(space, line, tube(&radii.b));
     let (role, word) = if radii.stable {
         (Role::Supercritical, "supercritical Hopf bifurcation")
@@ -236,7 +243,8 @@ fn rings(radii: &[(f64, f64)]) -> Points {
     };
     for x in even(first.0, last.0, RINGS + 1).skip(1) {
         let radius = radius_at(radii, x);
-        points.piece_in_space(even(0.0, TAU, 49).map(|angle| (x, radius * angle.cos(), radius * angle.sin())));
+        points
+            .piece_in_space(even(0.0, TAU, 49).map(|angle| (x, radius * angle.cos(), radius * angle.sin())));
     }
     points
 }
@@ -245,7 +253,8 @@ fn rings(radii: &[(f64, f64)]) -> Points {
 fn tube(radii: &[(f64, f64)]) -> Points {
     let mut points = Points::default();
     for angle in even(0.0, TAU, 9).take(8) {
-        points.piece_in_space(radii.iter().map(|&(x, radius)| (x, radius * angle.cos(), radius * angle.sin())));
+        points
+            .piece_in_space(radii.iter().map(|&(x, radius)| (x, radius * angle.cos(), radius * angle.sin())));
     }
     points
 }

@@ -76,7 +76,7 @@ impl Job {
         let parameters = specification.with(given)?;
         let work = match specification.id {
             "8" => Work::Exponents(Box::new(ExponentPaths::new(&parameters)?)),
-            id if specification.heavy => Work::Map(Box::new(Map::new(id, &parameters)?)),
+            _ if specification.heavy => Work::Map(Box::new(Map::new(&parameters))),
             _ => Work::Waiting,
         };
         Ok(Self { specification, parameters, work })

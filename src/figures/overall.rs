@@ -105,7 +105,8 @@ pub(super) fn figure(
         drawn.extend(damped_pitchforks(&setting, supports, mode, tongue, end)?);
     }
     drawn.extend(hopf_branches(&setting, supports, &all.combination, span)?);
-    let reach = drawn.iter().flat_map(|branch| &branch.curve).fold(0.0_f64, |reach, point| reach.max(point.1));
+    let reach =
+        drawn.iter().flat_map(|branch| &branch.curve).fold(0.0_f64, |reach, point| reach.max(point.1));
     let top = if reach > 1e-9 { 1.16 * reach } else { 1.0 };
 
     let mut composer = Composer::new((1, 1));
@@ -210,8 +211,11 @@ fn draw(composer: &mut Composer, frame: usize, branch: Drawn) {
     let edge = branch.curve.first().copied();
     composer.curve(frame, line, Points::plane(branch.curve));
     if let (Some(kind), Some(edge)) = (branch.event, edge) {
-        let (role, word) =
-            if branch.stable { (Role::Supercritical, "supercritical") } else { (Role::Subcritical, "subcritical") };
+        let (role, word) = if branch.stable {
+            (Role::Supercritical, "supercritical")
+        } else {
+            (Role::Subcritical, "subcritical")
+        };
         let line = Line::new(format!("{word} {kind} of {}", branch.name), format!("{word} {kind}"), role);
         composer.marks(frame, line, Points::one(edge));
     }
@@ -222,7 +226,13 @@ fn reaches(supports: Supports, edge: f64, end: f64) -> bool {
     supports.sign() * (end - edge) > 0.0 && end > 0.0
 }
 
-fn printed_pitchforks(setting: &Setting, supports: Supports, mode: Mode, tongue: &Tongue, end: f64) -> Vec<Drawn> {
+fn printed_pitchforks(
+    setting: &Setting,
+    supports: Supports,
+    mode: Mode,
+    tongue: &Tongue,
+    end: f64,
+) -> Vec<Drawn> {
     let (Some(alpha), Some(edges)) = (setting.paper_alpha(), tongue.paper) else {
         return Vec::new();
     };
@@ -308,7 +318,9 @@ fn hopf_branches(
         curve.into_iter().map(|(omega_1, radius)| (tongue.omega_0 + k0 * omega_1, radius)).collect()
     };
     let mut drawn = Vec::new();
-    let reaching = |radii: &hopf::Radii| reaches(supports, radii.edge, end) || supports.sign() * (end - radii.edge) > 0.0;
+    let reaching = |radii: &hopf::Radii| {
+        reaches(supports, radii.edge, end) || supports.sign() * (end - radii.edge) > 0.0
+    };
     for radii in hopf::printed(setting, end).into_iter().filter(reaching) {
         let side = if radii.edge < 0.0 { "left" } else { "right" };
         for (letter, curve) in [("B", radii.b), ("C", radii.c)] {
@@ -329,7 +341,8 @@ fn hopf_branches(
     }
     for radii in hopf::damped(setting, supports, end)?.into_iter().filter(reaching) {
         let word = stability(radii.stable);
-        for (letter, curve, role) in [("C", radii.c, Role::Corrected), ("B", radii.b, Role::CorrectedSecond)] {
+        for (letter, curve, role) in [("C", radii.c, Role::Corrected), ("B", radii.b, Role::CorrectedSecond)]
+        {
             drawn.push(Drawn {
                 name: format!("R_{letter} cycle {word} damped"),
                 meaning: format!("R_{letter} of the {word} limit cycle with damping [T8]"),

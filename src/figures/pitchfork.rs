@@ -52,11 +52,9 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters, mode: Mode) -> R
             "with damping the tongue is closed".to_owned()
         }
     };
-    let summary = format!(
-        "Pitchforks at Omega_1 = -/+{} as printed, {edges}: {branches}.",
-        number(width, 5)
-    );
-    let method = format!("closed formulas {}, {} as printed; with damping [T5], [T7]", names.sine, names.cosine);
+    let summary = format!("Pitchforks at Omega_1 = -/+{} as printed, {edges}: {branches}.", number(width, 5));
+    let method =
+        format!("closed formulas {}, {} as printed; with damping [T5], [T7]", names.sine, names.cosine);
     let mut figure = formula(id, parameters, composer, summary, &method);
     figure.notes = notes;
     Ok(figure)
@@ -101,7 +99,8 @@ fn panel(
     let end = supports.sign() * range.1;
     let printed = printed(setting, supports, mode, names, end);
     let damped = damped(setting, supports, mode, end)?;
-    let reach = printed.iter().chain(&damped).flat_map(|branch| &branch.curve).fold(0.0_f64, |r, p| r.max(p.1.abs()));
+    let reach =
+        printed.iter().chain(&damped).flat_map(|branch| &branch.curve).fold(0.0_f64, |r, p| r.max(p.1.abs()));
     let radius = about_zero(1.08 * reach);
     let letter = names.letter;
     let omega_1 = || axis("Omega_1", "*Ω*_{1}", range);

@@ -9,7 +9,7 @@ use super::{Figure, Motion};
 use crate::chart::drawing::{Drawing, Frame, Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
-use crate::study::time_response::{TimeResponseOptions, default_state, time_response};
+use crate::study::time_response::{TimeResponseOptions, time_response};
 use std::f64::consts::{PI, TAU};
 
 /// Half-backlash of an ordinary gear over its pinion's pitch radius: what "exaggerated" is measured against.
@@ -33,10 +33,9 @@ const WINDOW: f64 = 0.27;
 /// Those of [`time_response`].
 pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure, FigureError> {
     let options = TimeResponseOptions {
-        state: default_state(parameters),
         periods: (SETTLING + SHOWN) as f64,
         samples_per_period: SAMPLES,
-        ..TimeResponseOptions::default()
+        ..TimeResponseOptions::new(parameters)
     };
     let response = time_response(parameters, &options)?;
     let count = response.states.len();
@@ -132,7 +131,8 @@ impl Pose {
         let (u_p, u_g, u) = (value(&motion.u_p), value(&motion.u_g), value(&motion.u));
         let factor = nice_factor(&motion.u_p, &motion.u_g);
         let scale = factor * ORDINARY_BACKLASH;
-        let (pinion, gear) = (beside((-1.0, 0.0), scale * u_p, 0.0), beside((GEAR_RADIUS, 0.0), scale * u_g, 0.0));
+        let (pinion, gear) =
+            (beside((-1.0, 0.0), scale * u_p, 0.0), beside((GEAR_RADIUS, 0.0), scale * u_g, 0.0));
         // One tooth passes in each mesh period; the deviation is such that the flanks are as far apart as u says.
         let base = base_radius(1.0);
         let base_pitch = base * TAU / PINION_TEETH as f64;
@@ -178,7 +178,9 @@ fn interpolate(t: &[f64], column: &[f64], time: f64) -> f64 {
 
 /// Least and greatest value.
 fn ends(column: &[f64]) -> (f64, f64) {
-    column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| (low.min(value), high.max(value)))
+    column
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| (low.min(value), high.max(value)))
 }
 
 /// 1, 2 or 5 times a power of ten: the largest with which no displacement is drawn longer than [`LONGEST`].
@@ -220,7 +222,9 @@ fn supports(composer: &mut Composer, frame: usize, pose: &Pose) {
     let mut dampers = Vec::new();
     let mut springs = Vec::new();
     let mut hatches = Vec::new();
-    for (body, at, free, side) in [(pose.pinion, pinion_ground, 0.58, -1.0), (pose.gear, gear_ground, 0.67, 1.0)] {
+    for (body, at, free, side) in
+        [(pose.pinion, pinion_ground, 0.58, -1.0), (pose.gear, gear_ground, 0.67, 1.0)]
+    {
         springs.push(spring(body, at, 0.2, free));
         dampers.extend(damper(body, at, -0.2, free));
         let (line, hatch) = ground(at, 0.45, side);
@@ -257,7 +261,11 @@ fn furniture(composer: &mut Composer, frame: usize, pose: &Pose) {
         let end = (centre.0 + radius * to.cos(), centre.1 + radius * to.sin());
         lines.push(arrow_head(end, to + sense * (PI / 2.0 - 0.15), 0.11));
     }
-    composer.curve(frame, body("hubs", "hubs, lightening holes, senses of rotation", Role::Link), pieces(lines));
+    composer.curve(
+        frame,
+        body("hubs", "hubs, lightening holes, senses of rotation", Role::Link),
+        pieces(lines),
+    );
     let (x, y) = line_of_action();
     let reach = 1.5;
     composer.curve(
@@ -281,7 +289,11 @@ fn furniture(composer: &mut Composer, frame: usize, pose: &Pose) {
     ] {
         composer.text(frame, name, words, point);
     }
-    let scale = format!("displacements × {}, tooth gap × {}", number(pose.factor, 3), number(DRAWN_BACKLASH / ORDINARY_BACKLASH, 3));
+    let scale = format!(
+        "displacements × {}, tooth gap × {}",
+        number(pose.factor, 3),
+        number(DRAWN_BACKLASH / ORDINARY_BACKLASH, 3)
+    );
     composer.text(frame, "scale", &scale, (1.35, -2.0));
     composer.text(frame, "against", "(half-backlash taken as 1/500 of the pinion's radius)", (1.35, -2.24));
 }
@@ -296,11 +308,8 @@ fn contact(composer: &mut Composer, frame: usize, pose: &Pose) {
         Points::plane([on(-reach), on(reach)]),
     );
     let middle = on(0.5 * (pose.flanks[0] + pose.flanks[1]));
-    let (words, role) = if pose.touching() {
-        ("teeth in contact", Role::Attractor)
-    } else {
-        ("teeth parted", Role::Event)
-    };
+    let (words, role) =
+        if pose.touching() { ("teeth in contact", Role::Attractor) } else { ("teeth parted", Role::Event) };
     composer.marks(frame, Line::new("contact", words, role), Points::one(middle));
     composer.text(frame, "contact in words", words, (0.0, -0.92 * WINDOW));
     let stiffness = format!("*k*(*t*)/*K* = {:.2}", pose.mesh_stiffness);
@@ -319,7 +328,8 @@ fn trace(composer: &mut Composer, motion: &Motion, pose: &Pose) {
         axis("t", "*t*", (0.0, length)),
         axis("u", "*u*", (low - margin, high + margin)),
     ));
-    let zone = Line::new("dead zone", "the dead zone, in which no tooth touches", Role::DeadZone).label("parted", 0.5);
+    let zone = Line::new("dead zone", "the dead zone, in which no tooth touches", Role::DeadZone)
+        .label("parted", 0.5);
     composer.add(frame, Mark::Band, zone, Points::plane([(0.0, -1.0), (length, 1.0)]));
     let line = Line::new("u", "transmission error over half the backlash", Role::Exact);
     composer.curve(frame, line, Points::plane(motion.t.iter().copied().zip(motion.u.iter().copied())));

@@ -121,7 +121,7 @@ const CYCLE_CAPTION: &str = "The motion looked at once every mesh period, *T* = 
     what leaves it (light) winds onto a closed curve (dark): a motion of two frequencies, the limit cycle of the slow \
     flow, whose size shrinks as *Ω* nears the tongue's right edge.";
 
-static SPECIFICATIONS: [Specification; 22] = [
+static SPECIFICATIONS: [Specification; 21] = [
     Specification {
         id: "1",
         title: "Pinion and gear on their supports",
@@ -203,15 +203,60 @@ static SPECIFICATIONS: [Specification; 22] = [
         "The same as figure 9 for softening supports (-*α*): every branch leans to lower *Ω*, and the supercritical edge of \
             each tongue is the right one.",
     ),
-    map("11a", "Stroboscopic map, second mode's tongue, Ω = 1.55", NODES_CAPTION, preset!["zeta" = 0.052, "Omega" = 1.55]),
-    map("11b", "Stroboscopic map, second mode's tongue, Ω = 1.60", NODES_CAPTION, preset!["zeta" = 0.03, "Omega" = 1.6]),
-    map("11c", "Stroboscopic map, second mode's tongue, Ω = 1.65", NODES_CAPTION, preset!["zeta" = 0.02, "Omega" = 1.65]),
-    map("12a", "Stroboscopic map, combination tongue, Ω = 3.65", CYCLE_CAPTION, preset!["zeta" = 0.02, "Omega" = 3.65]),
-    map("12b", "Stroboscopic map, combination tongue, Ω = 3.70", CYCLE_CAPTION, preset!["zeta" = 0.02, "Omega" = 3.7]),
-    map("12c", "Stroboscopic map, combination tongue, Ω = 3.75", CYCLE_CAPTION, preset!["zeta" = 0.02, "Omega" = 3.75]),
-    map("13a", "Stroboscopic map, third mode's tongue, Ω = 5.30", NODES_CAPTION, preset!["zeta" = 0.02, "Omega" = 5.3]),
-    map("13b", "Stroboscopic map, third mode's tongue, Ω = 5.40", NODES_CAPTION, preset!["zeta" = 0.02, "Omega" = 5.4]),
-    map("13c", "Stroboscopic map, third mode's tongue, Ω = 5.50", NODES_CAPTION, preset!["zeta" = 0.02, "Omega" = 5.5]),
+    map(
+        "11a",
+        "Stroboscopic map, second mode's tongue, Ω = 1.55",
+        NODES_CAPTION,
+        preset!["zeta" = 0.052, "Omega" = 1.55],
+    ),
+    map(
+        "11b",
+        "Stroboscopic map, second mode's tongue, Ω = 1.60",
+        NODES_CAPTION,
+        preset!["zeta" = 0.03, "Omega" = 1.6],
+    ),
+    map(
+        "11c",
+        "Stroboscopic map, second mode's tongue, Ω = 1.65",
+        NODES_CAPTION,
+        preset!["zeta" = 0.02, "Omega" = 1.65],
+    ),
+    map(
+        "12a",
+        "Stroboscopic map, combination tongue, Ω = 3.65",
+        CYCLE_CAPTION,
+        preset!["zeta" = 0.02, "Omega" = 3.65],
+    ),
+    map(
+        "12b",
+        "Stroboscopic map, combination tongue, Ω = 3.70",
+        CYCLE_CAPTION,
+        preset!["zeta" = 0.02, "Omega" = 3.7],
+    ),
+    map(
+        "12c",
+        "Stroboscopic map, combination tongue, Ω = 3.75",
+        CYCLE_CAPTION,
+        preset!["zeta" = 0.02, "Omega" = 3.75],
+    ),
+    map(
+        "13a",
+        "Stroboscopic map, third mode's tongue, Ω = 5.30",
+        NODES_CAPTION,
+        preset!["zeta" = 0.02, "Omega" = 5.3],
+    ),
+    map(
+        "13b",
+        "Stroboscopic map, third mode's tongue, Ω = 5.40",
+        NODES_CAPTION,
+        preset!["zeta" = 0.02, "Omega" = 5.4],
+    ),
+    map(
+        "13c",
+        "Stroboscopic map, third mode's tongue, Ω = 5.50",
+        NODES_CAPTION,
+        preset!["zeta" = 0.02, "Omega" = 5.5],
+    ),
     response(
         "14a",
         "Time response, linear supports",

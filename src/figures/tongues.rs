@@ -1,6 +1,6 @@
 //! What figures 2-10 share: the slow flow's setting for one sign of `alpha`, ranges, curves that begin at an edge.
 
-use super::compose::{Line, Points, crowded, even};
+use super::compose::{Line, Points, crowded};
 use crate::chart::drawing::Role;
 use crate::error::FigureError;
 use crate::model::parameters::{Parameters, Symmetric};
@@ -134,11 +134,6 @@ pub(super) fn split(points: &[(f64, f64)], good: impl Fn(usize) -> bool) -> [Poi
         start = end;
     }
     parts
-}
-
-/// Even samples of a function.
-pub(super) fn sampled(range: (f64, f64), count: usize, function: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
-    even(range.0, range.1, count).map(|x| (x, function(x))).collect()
 }
 
 #[cfg(test)]
