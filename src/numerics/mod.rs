@@ -1,1 +1,6 @@
-//! (see lib.rs)
+//! Algorithms that know no gears: integrators, roots, Floquet theory, periodic orbits.
+
+pub mod floquet;
+pub mod newton;
+pub mod ode;
+pub mod periodic;

@@ -1,1 +1,19 @@
-//! (see lib.rs)
+//! Questions asked of the model, answered in plain columns.
+
+pub mod benchmark;
+pub mod motion;
+pub mod multipliers;
+pub mod orbit;
+pub mod poincare;
+pub mod time_response;
+
+/// What is known of the error of an answer; each as it applies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ErrorEstimate {
+    /// Relative distance from Liouville's identity.
+    pub liouville: Option<f64>,
+    /// Change of the answer when every step is halved.
+    pub step: Option<f64>,
+    /// Residual of the equation that was solved.
+    pub residual: Option<f64>,
+}

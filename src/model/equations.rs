@@ -1,0 +1,369 @@
+//! The equations of motion (22), their Jacobian, and their Taylor recurrences.
+//!
+//! State: `[u_p, u_g, u, u_p', u_g', u']`, displacement of pinion and gear along the line of action and dynamic
+//! transmission error, all over half the backlash; the prime is the derivative by the dimensionless time.
+//! Solved for the accelerations, with `s = 1 + k0 cos(Omega t)` and the tooth force `s f(u)`:
+//!
+//! ```text
+//! m_p u_p'' = -2 zeta_p u_p' - k_p u_p - alpha_p u_p^3 - (2 zeta u' + s f(u))
+//! m_g u_g'' = -2 zeta_g u_g' - k_g u_g - alpha_g u_g^3 + (2 zeta u' + s f(u))
+//!     u''   = u_p'' - u_g'' - (2 zeta u' + s f(u)) + F + F_p cos(Omega_p t) + F_g cos(Omega_g t) + Omega^2 E cos(Omega t)
+//! ```
+//!
+//! Departure from (8) and (9) as printed: the mesh damping acts on the velocity `u'`, as in (11).
+
+use crate::model::parameters::{Parameters, Regime};
+use crate::numerics::ode::Field;
+use crate::numerics::ode::taylor::{Boundary, Series, TaylorField};
+
+/// Index of `u` in the state.
+pub const U: usize = 2;
+/// Index of `u'` in the state.
+pub const U_DOT: usize = 5;
+
+/// A piece on which the tooth force is linear: `f(u) = slope * u - offset`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Contact {
+    /// `f(u) = u`: deviation from the unloaded state, nothing ends.
+    Deviation,
+    /// `f(u) = u - 1` without end (25).
+    Permanent,
+    /// `f(u) = u - 1` down to `u = 1` (23).
+    Driving,
+    /// `f(u) = 0` for `|u| <= 1` (23).
+    Parted,
+    /// `f(u) = u + 1` up to `u = -1` (23): contact on the back of the teeth.
+    Back,
+}
+
+impl Contact {
+    /// Slope and offset of `f`.
+    pub fn line(self) -> (f64, f64) {
+        match self {
+            Self::Deviation => (1.0, 0.0),
+            Self::Permanent | Self::Driving => (1.0, 1.0),
+            Self::Parted => (0.0, 0.0),
+            Self::Back => (1.0, -1.0),
+        }
+    }
+}
+
+/// The backlash function (23).
+pub fn backlash(u: f64) -> f64 {
+    if u > 1.0 {
+        u - 1.0
+    } else if u < -1.0 {
+        u + 1.0
+    } else {
+        0.0
+    }
+}
+
+/// A gear pair, ready to be integrated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GearPair {
+    /// Its parameters.
+    pub parameters: Parameters,
+}
+
+impl GearPair {
+    /// The gear pair with these parameters.
+    pub fn new(parameters: &Parameters) -> Self {
+        Self { parameters: *parameters }
+    }
+
+    /// Mesh stiffness over its mean, (10): `1 + k0 cos(Omega t)`.
+    pub fn mesh_stiffness(&self, time: f64) -> f64 {
+        1.0 + self.parameters.k0 * (self.parameters.omega * time).cos()
+    }
+
+    /// The load on the right-hand side of (19): `F + F_p cos + F_g cos + Omega^2 E cos`.
+    pub fn load(&self, time: f64) -> f64 {
+        let p = &self.parameters;
+        p.load
+            + p.load_p * (p.omega_p * time).cos()
+            + p.load_g * (p.omega_g * time).cos()
+            + p.omega * p.omega * p.error * (p.omega * time).cos()
+    }
+
+    /// `f(u)` of the regime.
+    pub fn tooth_function(&self, u: f64) -> f64 {
+        match self.parameters.regime {
+            Regime::Homogeneous => u,
+            Regime::Contact => u - 1.0,
+            Regime::Backlash => backlash(u),
+        }
+    }
+
+    /// The Jacobian of the right-hand side by the state, rows and columns in the order of the state; on a
+    /// boundary of the dead zone, of the side inside it.
+    pub fn jacobian(&self, time: f64, state: &[f64; 6]) -> [[f64; 6]; 6] {
+        let p = &self.parameters;
+        let slope = match p.regime {
+            Regime::Backlash if state[U].abs() <= 1.0 => 0.0,
+            _ => 1.0,
+        };
+        let mesh = self.mesh_stiffness(time) * slope;
+        let damping = 2.0 * p.zeta;
+        let mut rows = [[0.0; 6]; 6];
+        for i in 0..3 {
+            rows[i][i + 3] = 1.0;
+        }
+        let support = |k: f64, alpha: f64, u: f64| k + 3.0 * alpha * u * u;
+        rows[3] = [
+            -support(p.k_p, p.alpha_p, state[0]) / p.m_p,
+            0.0,
+            -mesh / p.m_p,
+            -2.0 * p.zeta_p / p.m_p,
+            0.0,
+            -damping / p.m_p,
+        ];
+        rows[4] = [
+            0.0,
+            -support(p.k_g, p.alpha_g, state[1]) / p.m_g,
+            mesh / p.m_g,
+            0.0,
+            -2.0 * p.zeta_g / p.m_g,
+            damping / p.m_g,
+        ];
+        for column in 0..6 {
+            rows[5][column] = rows[3][column] - rows[4][column];
+        }
+        rows[5][2] -= mesh;
+        rows[5][5] -= damping;
+        rows
+    }
+
+    /// The Jacobian's trace, the same everywhere: the rate of Liouville's identity.
+    pub fn trace(&self) -> f64 {
+        let p = &self.parameters;
+        -2.0 * (p.zeta_p + p.zeta) / p.m_p - 2.0 * (p.zeta_g + p.zeta) / p.m_g - 2.0 * p.zeta
+    }
+
+    /// Bounds of `|u_p|` and `|u_g|` beyond which the motion counts as escaped over the softening barrier:
+    /// `10 max(1, sqrt(k / |alpha|))`; infinite without a cubic term.
+    pub fn escape_bounds(&self) -> [f64; 2] {
+        let p = &self.parameters;
+        [(p.k_p, p.alpha_p), (p.k_g, p.alpha_g)].map(|(k, alpha)| 10.0 * (k / alpha.abs()).sqrt().max(1.0))
+    }
+}
+
+/// Bound of `|u|` beyond which the motion counts as diverged.
+pub const DIVERGED: f64 = 1e6;
+
+impl Field<6> for GearPair {
+    fn derivative(&self, time: f64, state: &[f64; 6]) -> [f64; 6] {
+        let p = &self.parameters;
+        let [u_p, u_g, u, v_p, v_g, w] = *state;
+        let mesh = 2.0 * p.zeta * w + self.mesh_stiffness(time) * self.tooth_function(u);
+        let a_p = (-2.0 * p.zeta_p * v_p - p.k_p * u_p - p.alpha_p * u_p * u_p * u_p - mesh) / p.m_p;
+        let a_g = (-2.0 * p.zeta_g * v_g - p.k_g * u_g - p.alpha_g * u_g * u_g * u_g + mesh) / p.m_g;
+        [v_p, v_g, w, a_p, a_g, a_p - a_g - mesh + self.load(time)]
+    }
+}
+
+/// Taylor coefficients of `amplitude * cos(frequency * t)` about `time`.
+pub fn cosine_series<const LEN: usize>(amplitude: f64, frequency: f64, time: f64) -> [f64; LEN] {
+    let mut series = [0.0; LEN];
+    let (sine, cosine) = (frequency * time).sin_cos();
+    let (mut cosine, mut sine) = (amplitude * cosine, amplitude * sine);
+    series[0] = cosine;
+    for n in 1..LEN {
+        let rate = frequency / n as f64;
+        (cosine, sine) = (-rate * sine, rate * cosine);
+        series[n] = cosine;
+    }
+    series
+}
+
+/// Everything in the recurrences that does not depend on the state: pulsation and load about a time.
+pub(crate) struct Forcing<const LEN: usize> {
+    /// Coefficients of `k0 cos(Omega t)`.
+    pub pulsation: [f64; LEN],
+    /// Coefficients of the load.
+    pub load: [f64; LEN],
+}
+
+impl<const LEN: usize> Forcing<LEN> {
+    pub(crate) fn new(p: &Parameters, time: f64) -> Self {
+        let pulsation = cosine_series(p.k0, p.omega, time);
+        let mut load = [0.0; LEN];
+        load[0] = p.load;
+        let mut add = |amplitude: f64, frequency: f64| {
+            if amplitude != 0.0 {
+                let series: [f64; LEN] = cosine_series(amplitude, frequency, time);
+                for (sum, coefficient) in load.iter_mut().zip(series) {
+                    *sum += coefficient;
+                }
+            }
+        };
+        add(p.load_p, p.omega_p);
+        add(p.load_g, p.omega_g);
+        add(p.omega * p.omega * p.error, p.omega);
+        Self { pulsation, load }
+    }
+}
+
+/// One more coefficient of each acceleration.
+#[derive(Clone, Copy)]
+pub(crate) struct Recurrence {
+    inverse_mass: [f64; 2],
+    stiffness: [f64; 2],
+    cubic: [f64; 2],
+    damping: [f64; 2],
+    mesh_damping: f64,
+}
+
+impl Recurrence {
+    pub(crate) fn new(p: &Parameters) -> Self {
+        Self {
+            inverse_mass: [1.0 / p.m_p, 1.0 / p.m_g],
+            stiffness: [p.k_p, p.k_g],
+            cubic: [p.alpha_p, p.alpha_g],
+            damping: [2.0 * p.zeta_p, 2.0 * p.zeta_g],
+            mesh_damping: 2.0 * p.zeta,
+        }
+    }
+
+    /// Coefficient of the accelerations from that of the state, of the supports' cubes, of the tooth force `s f`
+    /// and of the load.
+    #[inline]
+    pub(crate) fn accelerations(&self, row: &[f64], cubes: [f64; 2], tooth: f64, load: f64) -> [f64; 3] {
+        let mesh = self.mesh_damping * row[U_DOT] + tooth;
+        let support = |i: usize, mesh: f64| {
+            -(self.damping[i] * row[3 + i] + self.stiffness[i] * row[i] + self.cubic[i] * cubes[i] + mesh)
+                * self.inverse_mass[i]
+        };
+        let (a_p, a_g) = (support(0, mesh), support(1, -mesh));
+        [a_p, a_g, a_p - a_g - mesh + load]
+    }
+}
+
+/// The piece of the regime's tooth function that holds at a state and just after it.
+pub(crate) fn contact(pair: &GearPair, time: f64, state: &[f64; 6]) -> Contact {
+    match pair.parameters.regime {
+        Regime::Homogeneous => Contact::Deviation,
+        Regime::Contact => Contact::Permanent,
+        Regime::Backlash => {
+            let (u, velocity) = (state[U], state[U_DOT]);
+            if u.abs() != 1.0 {
+                return if u > 1.0 {
+                    Contact::Driving
+                } else if u < -1.0 {
+                    Contact::Back
+                } else {
+                    Contact::Parted
+                };
+            }
+            // On a boundary the motion's direction decides, and where it rests there, its acceleration: f is
+            // zero on both sides, so that it is the same for both.
+            let outwards = if velocity == 0.0 { pair.derivative(time, state)[U_DOT] } else { velocity } * u;
+            match (outwards > 0.0, u > 0.0) {
+                (true, true) => Contact::Driving,
+                (true, false) => Contact::Back,
+                (false, _) => Contact::Parted,
+            }
+        }
+    }
+}
+
+/// The levels of `u` at which a piece ends.
+pub(crate) fn contact_boundaries(piece: Contact) -> [Option<Boundary>; 2] {
+    let at = |level| Some(Boundary { coordinate: U, level });
+    match piece {
+        Contact::Deviation | Contact::Permanent => [None, None],
+        Contact::Driving => [at(1.0), None],
+        Contact::Parted => [at(1.0), at(-1.0)],
+        Contact::Back => [None, at(-1.0)],
+    }
+}
+
+impl TaylorField<6> for GearPair {
+    type Piece = Contact;
+
+    fn piece(&self, time: f64, state: &[f64; 6]) -> Contact {
+        contact(self, time, state)
+    }
+
+    fn boundaries(&self, piece: Contact) -> [Option<Boundary>; 2] {
+        contact_boundaries(piece)
+    }
+
+    fn series<const LEN: usize>(
+        &self,
+        piece: Contact,
+        time: f64,
+        state: &[f64; 6],
+        series: &mut Series<6, LEN>,
+    ) {
+        let forcing = Forcing::<LEN>::new(&self.parameters, time);
+        let recurrence = Recurrence::new(&self.parameters);
+        let (slope, offset) = piece.line();
+        let nonlinear = recurrence.cubic != [0.0; 2];
+        // Products of series are spread forwards: as soon as a coefficient is known, its share is added to all
+        // later coefficients of the product. Each sum is then complete when it is needed, and the loops run
+        // over independent sums, which the compiler takes several at a time; pinion and gear are two lanes.
+        let mut position = [[0.0; 2]; LEN];
+        let mut square = [[0.0; 2]; LEN];
+        let mut cube = [[0.0; 2]; LEN];
+        let mut force = [0.0; LEN];
+        series[0] = *state;
+        for n in 0..LEN - 1 {
+            let row = series[n];
+            let tooth = slope * row[U] - if n == 0 { offset } else { 0.0 };
+            force[n] += tooth;
+            for (sum, pulsation) in force[n..].iter_mut().zip(&forcing.pulsation) {
+                *sum += pulsation * tooth;
+            }
+            if nonlinear {
+                position[n] = [row[0], row[1]];
+                spread_square(n, &position, &mut square);
+                spread_product(n, &square, &position, &mut cube);
+            }
+            let accelerations = recurrence.accelerations(&row, cube[n], force[n], forcing.load[n]);
+            let rate = 1.0 / (n + 1) as f64;
+            for i in 0..3 {
+                series[n + 1][i] = row[3 + i] * rate;
+                series[n + 1][3 + i] = accelerations[i] * rate;
+            }
+        }
+    }
+}
+
+/// Adds to the square of a series what its n-th coefficient brings: twice its products with the earlier ones, and
+/// its own square.
+#[inline]
+fn spread_square<const LEN: usize>(n: usize, factor: &[[f64; 2]; LEN], square: &mut [[f64; 2]; LEN]) {
+    let newest = factor[n];
+    for (sum, earlier) in square[n..].iter_mut().zip(&factor[..n]) {
+        for lane in 0..2 {
+            sum[lane] += 2.0 * newest[lane] * earlier[lane];
+        }
+    }
+    if 2 * n < LEN {
+        for lane in 0..2 {
+            square[2 * n][lane] += newest[lane] * newest[lane];
+        }
+    }
+}
+
+/// Adds to the product of two series what their n-th coefficients bring.
+#[inline]
+fn spread_product<const LEN: usize>(
+    n: usize,
+    left: &[[f64; 2]; LEN],
+    right: &[[f64; 2]; LEN],
+    product: &mut [[f64; 2]; LEN],
+) {
+    let (newest_left, newest_right) = (left[n], right[n]);
+    for ((sum, earlier_left), earlier_right) in product[n..].iter_mut().zip(&left[..n]).zip(&right[..n]) {
+        for lane in 0..2 {
+            sum[lane] += newest_left[lane] * earlier_right[lane] + earlier_left[lane] * newest_right[lane];
+        }
+    }
+    if 2 * n < LEN {
+        for lane in 0..2 {
+            product[2 * n][lane] += newest_left[lane] * newest_right[lane];
+        }
+    }
+}

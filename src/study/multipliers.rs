@@ -1,0 +1,199 @@
+//! Floquet multipliers: about the unloaded state, or about the periodic response of a loaded pair.
+
+use super::ErrorEstimate;
+use super::motion::{self, HIGH_ORDER_BELOW, ORDER_16, ORDER_24};
+use super::orbit::{self, OrbitOptions};
+use crate::error::{ModelError, NumericsError, StudyError};
+use crate::model::equations::GearPair;
+use crate::model::linear::{self, LinearPair, Rows};
+use crate::model::parameters::{Parameters, Regime};
+use crate::model::variational::{self, Variational};
+use crate::numerics::floquet::{self, Spectrum};
+use crate::numerics::ode::taylor::{self, Options, Propagation};
+use crate::numerics::periodic::{Image, matrix};
+
+/// Greatest denominator of a load's frequency over the mesh frequency.
+pub const MOST_PERIODS: usize = 64;
+/// How near to a fraction the ratio of the frequencies must be, relative to it.
+const COMMENSURATE_WITHIN: f64 = 1e-9;
+
+/// The six multipliers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Multipliers {
+    /// Real parts, largest modulus first.
+    pub re: [f64; 6],
+    /// Imaginary parts.
+    pub im: [f64; 6],
+    /// Largest modulus.
+    pub spectral_radius: f64,
+    /// All moduli are below 1 by more than the error of the answer, or, undamped, none above 1 by more.
+    pub stable: bool,
+    /// The periodic state at t = 0 that they are about.
+    pub state: [f64; 6],
+    /// How they were computed.
+    pub method: String,
+    /// What is known of the error: `liouville`; `step`, the change when every step is halved; for a periodic
+    /// response its `residual`.
+    pub error: ErrorEstimate,
+}
+
+/// The common period of mesh and load, in mesh periods: 1 to [`MOST_PERIODS`].
+///
+/// # Errors
+/// [`ModelError::Incommensurate`] with the load that has no common period with the mesh.
+pub fn common_period(p: &Parameters) -> Result<usize, ModelError> {
+    let mut common = 1;
+    for (parameter, amplitude, given) in [("Omega_p", p.load_p, p.omega_p), ("Omega_g", p.load_g, p.omega_g)]
+    {
+        if amplitude == 0.0 {
+            continue;
+        }
+        let ratio = given / p.omega;
+        let matches = |periods: usize| {
+            let turns = ratio * periods as f64;
+            turns.round() >= 1.0 && (turns - turns.round()).abs() <= COMMENSURATE_WITHIN * turns.round()
+        };
+        let incommensurate = ModelError::Incommensurate { parameter, given, omega: p.omega };
+        let own =
+            (1..=MOST_PERIODS).find(|&periods| matches(periods)).ok_or_else(|| incommensurate.clone())?;
+        common = least_common_multiple(common, own);
+        if common > MOST_PERIODS * MOST_PERIODS {
+            return Err(incommensurate);
+        }
+    }
+    Ok(common)
+}
+
+fn least_common_multiple(left: usize, right: usize) -> usize {
+    let (mut a, mut b) = (left, right);
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    left / a * right
+}
+
+/// Whether nothing acts on the teeth, so that the motion's trivial state is exact.
+pub fn unloaded(p: &Parameters) -> bool {
+    [p.load, p.load_p, p.load_g, p.error].iter().all(|load| *load == 0.0)
+}
+
+/// The trivial state of an unloaded pair.
+pub fn trivial_state(p: &Parameters) -> [f64; 6] {
+    match p.regime {
+        Regime::Homogeneous => [0.0; 6],
+        Regime::Contact | Regime::Backlash => [0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
+    }
+}
+
+/// The monodromy over one mesh period of the linear problem in its symmetric coordinates, from half a period.
+///
+/// # Errors
+/// [`NumericsError`] where the integration fails.
+pub fn linear_monodromy(p: &Parameters, tolerance: f64, step_factor: f64) -> Result<Rows, NumericsError> {
+    let pair = LinearPair::new(p);
+    let options = Options { tolerance: motion::step_tolerance(tolerance), step_factor, ..Options::default() };
+    let half_period = 0.5 * p.mesh_period();
+    let half = taylor::integrate::<_, { linear::SIZE }, ORDER_24>(
+        &pair,
+        0.0,
+        linear::start(),
+        half_period,
+        options,
+    )?;
+    Ok(pair.monodromy_from_half(&linear::rows(&half)))
+}
+
+/// The state after `periods` mesh periods and its derivative by the state at t = 0, along the full nonlinear motion.
+///
+/// # Errors
+/// [`NumericsError::Escaped`] where the motion escapes, or as the integration fails.
+pub fn image(
+    pair: &GearPair,
+    state: &[f64; 6],
+    periods: usize,
+    tolerance: f64,
+    step_factor: f64,
+) -> Result<Image, NumericsError> {
+    let end = periods as f64 * pair.parameters.mesh_period();
+    let options = Options { tolerance: motion::step_tolerance(tolerance), step_factor, ..Options::default() };
+    if tolerance < HIGH_ORDER_BELOW {
+        image_by::<ORDER_24>(pair, state, end, options)
+    } else {
+        image_by::<ORDER_16>(pair, state, end, options)
+    }
+}
+
+fn image_by<const LEN: usize>(
+    pair: &GearPair,
+    state: &[f64; 6],
+    end: f64,
+    options: Options,
+) -> Result<Image, NumericsError> {
+    let field = Variational { pair: *pair };
+    let mut propagation =
+        Propagation::<_, { variational::SIZE }, LEN>::new(&field, 0.0, variational::start(state), options);
+    let [pinion, gear] = pair.escape_bounds();
+    while propagation.time() < end {
+        propagation.step(end)?;
+        let now = propagation.state();
+        if now[0].abs() > pinion || now[1].abs() > gear {
+            return Err(NumericsError::Escaped { time: propagation.time() });
+        }
+    }
+    Ok(variational::split(propagation.state()))
+}
+
+/// The multipliers at these parameters.
+///
+/// Unloaded: of the exact linear problem about the trivial state (in the backlash regime that of teeth that just
+/// touch, for deviations that keep contact). Loaded: about the periodic response that continues the trivial state
+/// as the load grows, over the common period of mesh and load.
+///
+/// # Errors
+/// [`StudyError::Option`] for a tolerance out of range, [`StudyError::Model`] for an incommensurate load,
+/// [`StudyError::Numerics`] where no periodic response is found.
+pub fn multipliers(p: &Parameters, tolerance: f64) -> Result<Multipliers, StudyError> {
+    motion::check_tolerance(tolerance)?;
+    if unloaded(p) {
+        return about_trivial_state(p, tolerance);
+    }
+    let periods = common_period(p)?;
+    let orbit = orbit::response(p, periods, &OrbitOptions { period: periods, guess: None, tolerance })?;
+    Ok(Multipliers {
+        re: orbit.re,
+        im: orbit.im,
+        spectral_radius: Spectrum { re: orbit.re, im: orbit.im }.radius(),
+        stable: orbit.stable,
+        state: orbit.state,
+        method: orbit.method,
+        error: orbit.error,
+    })
+}
+
+fn about_trivial_state(p: &Parameters, tolerance: f64) -> Result<Multipliers, StudyError> {
+    let coarse = floquet::spectrum(&matrix(&linear_monodromy(p, tolerance, 1.0)?))?;
+    let fine = matrix(&linear_monodromy(p, tolerance, 0.5)?);
+    let spectrum = floquet::spectrum(&fine)?;
+    let trace = GearPair::new(p).trace();
+    let liouville = floquet::liouville_residual(&fine, trace * p.mesh_period());
+    let step = spectrum.distance(&coarse);
+    Ok(Multipliers {
+        re: spectrum.re,
+        im: spectrum.im,
+        spectral_radius: spectrum.radius(),
+        stable: is_stable(&spectrum, trace, step),
+        state: trivial_state(p),
+        method: format!("Taylor series of order {} on half a period, QR", ORDER_24 - 1),
+        error: ErrorEstimate { liouville: Some(liouville), step: Some(step), residual: None },
+    })
+}
+
+/// Undamped, the best there is are multipliers on the unit circle; where two of them meet, rounding moves them
+/// apart by its square root.
+const UNDAMPED_SLACK: f64 = 1e-7;
+
+/// Whether all multipliers are inside the unit circle, or, undamped (trace zero), on it.
+pub fn is_stable(spectrum: &Spectrum, trace: f64, error: f64) -> bool {
+    let slack = if trace == 0.0 { UNDAMPED_SLACK.max(error) } else { -error.min(1e-9) };
+    spectrum.radius() <= 1.0 + slack
+}
