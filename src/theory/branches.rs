@@ -86,6 +86,7 @@ pub fn orbit_state(modes: &Modes, symmetric: &Symmetric, mode: Mode, radius: f64
     ];
     // cos(Omega t) q_j, split into its parts at Omega/2 and 3 Omega/2.
     let mesh = [[0.5 * cosine, -0.5 * sine], [0.5 * cosine, 0.5 * sine]];
+    let velocity = [half * sine, -half * cosine];
     let own = modes.coefficient(mode);
     let mut state = [0.0; 6];
     let mut add = |shape: Mode, frequency: f64, amplitude: [f64; 2]| {
@@ -105,8 +106,12 @@ pub fn orbit_state(modes: &Modes, symmetric: &Symmetric, mode: Mode, radius: f64
                 continue;
             }
             let compliance = 1.0 / (sigma - frequency * frequency);
+            // The damping does not fall apart into the modes: at the mode's own frequency it drives the partner.
+            let friction =
+                if harmonic == 0 { 2.0 * symmetric.zeta * own + 16.0 * symmetric.zeta_s / c } else { 0.0 };
             let amplitude = std::array::from_fn(|part| {
-                let drive = symmetric.k0 * own * mesh[harmonic][part] * sigma / spread
+                let drive = friction * velocity[part] * sigma / spread
+                    + symmetric.k0 * own * mesh[harmonic][part] * sigma / spread
                     + 32.0 * symmetric.alpha * cube[harmonic][part] * sigma / (c * spread);
                 -drive * compliance
             });
