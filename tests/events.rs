@@ -33,9 +33,8 @@ fn a_start_on_a_root_does_not_count_and_what_follows_does() {
     let mut generator = Generator::new(11);
     for _ in 0..200 {
         let count = generator.below(4);
-        let mut roots = generator.parted(count, 0.05, (0.05, 0.95));
-        let known = roots.clone();
-        roots.push(0.0);
+        let known = generator.parted(count, 0.05, (0.05, 0.95));
+        let roots = [&known[..], &[0.0]].concat();
         for length in [0.7, -0.7] {
             let polynomial = with_roots::<9>(&roots, &[(0.5, 0.4)], length);
             let found = crossings(&polynomial, length, true);

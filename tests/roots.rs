@@ -13,9 +13,12 @@ fn kinds(roots: &[Root]) -> Vec<RootKind> {
     roots.iter().map(|root| root.kind).collect()
 }
 
+/// A function, a bracket, and the root in it.
+type Case = (fn(f64) -> f64, f64, f64, f64);
+
 #[test]
 fn brackets_shrink_to_rounding() {
-    let cases: [(fn(f64) -> f64, f64, f64, f64); 6] = [
+    let cases: [Case; 6] = [
         (|x| x.cos() - x, 0.0, 1.0, 0.739_085_133_215_160_6),
         (|x| x * x - 2.0, 2.0, 0.0, 2.0_f64.sqrt()),
         (|x| x.exp() - 1e9, 0.0, 100.0, 1e9_f64.ln()),
@@ -98,7 +101,7 @@ fn no_change_of_sign_that_sampling_shows_is_missed() {
         present[0] = 1.0;
         for (n, wave) in waves.iter().enumerate() {
             // Degrees above 12 need more digits than the powers have; let them fade.
-            let wave = if n > 12 { wave * 0.1_f64.powi(n as i32 - 12) } else { *wave };
+            let wave = if n > 12 { wave * 0.1_f64.powf(n as f64 - 12.0) } else { *wave };
             for k in 0..25 {
                 polynomial[k] += wave * present[k];
             }

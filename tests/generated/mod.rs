@@ -57,8 +57,10 @@ pub fn with_roots<const LEN: usize>(real: &[f64], pairs: &[(f64, f64)], length: 
     for (re, im) in pairs {
         multiply([re * re + im * im, -2.0 * re, 1.0]);
     }
-    for (n, coefficient) in polynomial.iter_mut().enumerate() {
-        *coefficient /= length.powi(n as i32);
+    let mut power = 1.0;
+    for coefficient in &mut polynomial {
+        *coefficient /= power;
+        power *= length;
     }
     polynomial
 }
