@@ -186,6 +186,13 @@ pub enum ChartError {
         /// Name of the series or axis.
         name: String,
     },
+    /// A drawing that contradicts itself.
+    Malformed {
+        /// Name of the series, axis or frame.
+        name: String,
+        /// What is wrong with it, in words.
+        fault: &'static str,
+    },
 }
 
 /// What a figure can fail with.
@@ -293,6 +300,7 @@ impl fmt::Display for ChartError {
                 "a picture of {width} by {height} pixels cannot be drawn: each side must be from 120 to 8192 pixels"
             ),
             Self::NotFinite { name } => write!(f, "\"{name}\" holds a value that is no finite number"),
+            Self::Malformed { name, fault } => write!(f, "\"{name}\" cannot be drawn: {fault}"),
         }
     }
 }

@@ -300,43 +300,70 @@ impl TaylorField<6> for GearPair {
         let recurrence = Recurrence::new(&self.parameters);
         let (slope, offset) = piece.line();
         let nonlinear = recurrence.cubic != [0.0; 2];
-        // Pinion and gear side by side as two lanes.
+        // Products of series are spread forwards: as soon as a coefficient is known, its share is added to all
+        // later coefficients of the product. Each sum is then complete when it is needed, and the loops run
+        // over independent sums, which the compiler takes several at a time; pinion and gear are two lanes.
         let mut position = [[0.0; 2]; LEN];
         let mut square = [[0.0; 2]; LEN];
-        let mut tooth = [0.0; LEN];
+        let mut cube = [[0.0; 2]; LEN];
+        let mut force = [0.0; LEN];
         series[0] = *state;
         for n in 0..LEN - 1 {
             let row = series[n];
-            position[n] = [row[0], row[1]];
-            tooth[n] = slope * row[U];
-            let mut cube = [0.0; 2];
-            if n == 0 {
-                tooth[0] -= offset;
-            }
-            let mut force = tooth[n];
-            for j in 0..=n {
-                force += forcing.pulsation[n - j] * tooth[j];
+            let tooth = slope * row[U] - if n == 0 { offset } else { 0.0 };
+            force[n] += tooth;
+            for (sum, pulsation) in force[n..].iter_mut().zip(&forcing.pulsation) {
+                *sum += pulsation * tooth;
             }
             if nonlinear {
-                let mut sum = [0.0; 2];
-                for j in 0..=n {
-                    for lane in 0..2 {
-                        sum[lane] += position[j][lane] * position[n - j][lane];
-                    }
-                }
-                square[n] = sum;
-                for j in 0..=n {
-                    for lane in 0..2 {
-                        cube[lane] += square[j][lane] * position[n - j][lane];
-                    }
-                }
+                position[n] = [row[0], row[1]];
+                spread_square(n, &position, &mut square);
+                spread_product(n, &square, &position, &mut cube);
             }
-            let accelerations = recurrence.accelerations(&row, cube, force, forcing.load[n]);
+            let accelerations = recurrence.accelerations(&row, cube[n], force[n], forcing.load[n]);
             let rate = 1.0 / (n + 1) as f64;
             for i in 0..3 {
                 series[n + 1][i] = row[3 + i] * rate;
                 series[n + 1][3 + i] = accelerations[i] * rate;
             }
+        }
+    }
+}
+
+/// Adds to the square of a series what its n-th coefficient brings: twice its products with the earlier ones, and
+/// its own square.
+#[inline]
+fn spread_square<const LEN: usize>(n: usize, factor: &[[f64; 2]; LEN], square: &mut [[f64; 2]; LEN]) {
+    let newest = factor[n];
+    for (sum, earlier) in square[n..].iter_mut().zip(&factor[..n]) {
+        for lane in 0..2 {
+            sum[lane] += 2.0 * newest[lane] * earlier[lane];
+        }
+    }
+    if 2 * n < LEN {
+        for lane in 0..2 {
+            square[2 * n][lane] += newest[lane] * newest[lane];
+        }
+    }
+}
+
+/// Adds to the product of two series what their n-th coefficients bring.
+#[inline]
+fn spread_product<const LEN: usize>(
+    n: usize,
+    left: &[[f64; 2]; LEN],
+    right: &[[f64; 2]; LEN],
+    product: &mut [[f64; 2]; LEN],
+) {
+    let (newest_left, newest_right) = (left[n], right[n]);
+    for ((sum, earlier_left), earlier_right) in product[n..].iter_mut().zip(&left[..n]).zip(&right[..n]) {
+        for lane in 0..2 {
+            sum[lane] += newest_left[lane] * earlier_right[lane] + earlier_left[lane] * newest_right[lane];
+        }
+    }
+    if 2 * n < LEN {
+        for lane in 0..2 {
+            product[2 * n][lane] += newest_left[lane] * newest_right[lane];
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Questions asked of the model, answered in plain columns.
 
+pub mod benchmark;
 pub mod motion;
 pub mod multipliers;
 pub mod orbit;

@@ -71,6 +71,14 @@ fn escaped(pair: &GearPair, state: &[f64; 6]) -> bool {
     state[0].abs() > pinion || state[1].abs() > gear || state[U].abs() > DIVERGED
 }
 
+/// Whether the start or the end of a step is beyond half of a bound.
+fn near_escape(pair: &GearPair, start: &[f64; 6], end: &[f64; 6]) -> bool {
+    let [pinion, gear] = pair.escape_bounds();
+    [(0, pinion), (1, gear), (U, DIVERGED)]
+        .iter()
+        .any(|&(coordinate, bound)| start[coordinate].abs().max(end[coordinate].abs()) > 0.5 * bound)
+}
+
 /// The time since the start of the step at which the motion first passes one of the bounds of escape.
 fn escape_since<const LEN: usize>(pair: &GearPair, step: &Step<6, LEN>) -> Option<f64> {
     let [pinion, gear] = pair.escape_bounds();
@@ -119,15 +127,14 @@ pub fn follow<const LEN: usize>(
     while propagation.time() < end {
         let contact = propagation.piece();
         let mut step = propagation.step(end)?;
-        if escaped(pair, propagation.state())
-            || step.series[1..4].iter().any(|row| row.iter().any(|value| value.abs() > DIVERGED))
+        // A motion that starts and ends a step well inside the bounds does not leave them in between.
+        if near_escape(pair, &step.series[0], propagation.state())
+            && let Some(since) = escape_since(pair, &step)
         {
-            if let Some(since) = escape_since(pair, &step) {
-                step.length = since;
-                visit(&step, contact);
-                let time = step.end();
-                return Ok(Reached { time, state: step.value(since), escaped: Some(time) });
-            }
+            step.length = since;
+            visit(&step, contact);
+            let time = step.end();
+            return Ok(Reached { time, state: step.value(since), escaped: Some(time) });
         }
         visit(&step, contact);
     }

@@ -191,7 +191,7 @@ fn period_two(p: &Parameters, options: &OrbitOptions) -> Result<PeriodicOrbit, S
         let orbit = describe(p, solution, options)?;
         if orbit.period == 2 {
             if orbit.stable {
-                return Ok(upper_half(p, orbit, options)?);
+                return upper_half(p, orbit, options);
             }
             unstable.get_or_insert(orbit);
         }

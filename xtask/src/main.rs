@@ -1,1 +1,69 @@
-fn main() {}
+//! The project's own helper: builds the page, serves it, tests it, measures it.
+
+mod bench;
+mod build;
+mod check;
+mod command;
+mod failure;
+mod place;
+mod screens;
+mod serve;
+mod tools;
+
+use failure::Failure;
+use std::process::ExitCode;
+
+const HELP: &str = "\
+cargo xtask build [--out FOLDER]        make the static page and the module (default: dist/)
+cargo xtask serve [--port N]            build, then serve dist/ on 127.0.0.1 (8080 or the next free port)
+                  [--prefix /a/b/]      ... under this path, as a host with sub-folders would
+                  [--no-build]          ... without building first
+cargo xtask test  [--quick]             all checks and tests; quick: no wasm lints, no documentation, no browser
+cargo xtask bench                       measure natively, in Node and in Chromium; writes docs/benchmarks.md
+cargo xtask goldens                     draw the figures anew into tests/goldens/
+cargo xtask screens                     pictures of the page into docs/screens/";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match run(&arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure::Told) => ExitCode::FAILURE,
+        Err(failure) => {
+            eprintln!("xtask: {failure}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: &[String]) -> Result<(), Failure> {
+    let Some((task, rest)) = arguments.split_first() else {
+        println!("{HELP}");
+        return Ok(());
+    };
+    match task.as_str() {
+        "build" => {
+            let options = command::Options::read(rest, &["--out"], &[])?;
+            let out =
+                options.value("--out").map_or_else(|| place::root().join("dist"), std::path::PathBuf::from);
+            build::build(&out).map(|built| built.report())
+        }
+        "serve" => {
+            let options = command::Options::read(rest, &["--port", "--prefix"], &["--no-build"])?;
+            serve::serve(&options)
+        }
+        "test" => check::check(&command::Options::read(rest, &[], &["--quick"])?),
+        "bench" => command::Options::read(rest, &[], &[]).and_then(|_| bench::bench()),
+        "goldens" => {
+            command::Options::read(rest, &[], &[])?;
+            let test =
+                ["test", "--quiet", "--test", "goldens", "every_figure_is_its_golden", "--", "--nocapture"];
+            command::run(command::cargo(&test).env("GOLDENS", "write"))
+        }
+        "screens" => command::Options::read(rest, &[], &[]).and_then(|_| screens::screens()),
+        "help" | "--help" | "-h" => {
+            println!("{HELP}");
+            Ok(())
+        }
+        other => Err(Failure::Usage { given: other.to_owned(), help: HELP }),
+    }
+}

@@ -191,19 +191,16 @@ impl<'a, F: TaylorField<N>, const N: usize, const LEN: usize> Propagation<'a, F,
             return Err(NumericsError::NotFinite { time: self.time });
         }
         self.taken += 1;
-        match crossing {
-            Some((_, boundary)) => {
-                self.time += length;
-                self.state[boundary.coordinate] = boundary.level;
-                // Asked of the field rather than read off the crossing: where the path turns back at the
-                // boundary, only its next derivatives know.
-                self.piece = self.field.piece(self.time, &self.state);
-                self.on_boundary = Some((boundary.coordinate, boundary.level));
-            }
-            None => {
-                self.time = if last { until } else { self.time + length };
-                self.on_boundary = None;
-            }
+        if let Some((_, boundary)) = crossing {
+            self.time += length;
+            self.state[boundary.coordinate] = boundary.level;
+            // Asked of the field rather than read off the crossing: where the path turns back at the boundary,
+            // only its next derivatives know.
+            self.piece = self.field.piece(self.time, &self.state);
+            self.on_boundary = Some((boundary.coordinate, boundary.level));
+        } else {
+            self.time = if last { until } else { self.time + length };
+            self.on_boundary = None;
         }
         Ok(step)
     }

@@ -1,0 +1,32 @@
+// How the browser tests run: in the Chromium that is on the machine, on a page served from a sub-path, as a host with
+// folders would serve it. `cargo xtask test` passes the browser and the address; run by hand, the server starts here.
+
+import { defineConfig } from "@playwright/test";
+import { launchOptions } from "./xtask/chromium.js";
+
+const given = process.env.GEAR_ADDRESS;
+const port = 8417;
+const prefix = "/some/where/";
+const address = given ?? `http://127.0.0.1:${port}${prefix}`;
+
+export default defineConfig({
+  testDir: "tests/browser",
+  outputDir: "test-results",
+  // A test that passes at the second try has found something: no retries.
+  retries: 0,
+  workers: 2,
+  fullyParallel: true,
+  forbidOnly: Boolean(process.env.CI),
+  timeout: 60_000,
+  reporter: [["list"]],
+  use: {
+    // Ends with a slash: tests say page.goto("./") and stay under the prefix.
+    baseURL: address,
+    trace: "retain-on-failure",
+    launchOptions,
+  },
+  projects: [{ name: "chromium", use: { browserName: "chromium" } }],
+  webServer: given
+    ? undefined
+    : { command: `cargo xtask serve --port ${port} --prefix ${prefix}`, url: address, timeout: 600_000 },
+});

@@ -1,0 +1,171 @@
+//! A figure, computed at once or step by step.
+
+use super::compose::Composer;
+use super::exponents::ExponentPaths;
+use super::poincare_map::Map;
+use super::specification::{Specification, specification};
+use super::tongues::Supports;
+use super::{determinant, eigenvalues, hopf, overall, pitchfork, response, schematic};
+use crate::chart::drawing::Drawing;
+use crate::error::FigureError;
+use crate::model::parameters::{Parameters, Value};
+use crate::study::ErrorEstimate;
+use crate::theory::modes::Mode;
+
+/// A computed figure: what is drawn, in what words, by what method.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// Its number, e.g. `11a`.
+    pub id: &'static str,
+    /// The parameters it was computed with.
+    pub parameters: Parameters,
+    /// What is drawn.
+    pub drawing: Drawing,
+    /// One sentence made from the data: what it shows.
+    pub summary: String,
+    /// By what formulas or methods.
+    pub method: String,
+    /// Error estimates of what was integrated; empty for closed formulas.
+    pub error: ErrorEstimate,
+    /// The motion of an animated figure, repeated without end.
+    pub motion: Option<Motion>,
+    /// Remarks for the reader: contact lost, an escape, a tongue that is closed.
+    pub notes: Vec<String>,
+}
+
+/// A stretch of motion: columns of one length, dimensionless.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Motion {
+    /// Time from the stretch's begin, rising from 0.
+    pub t: Vec<f64>,
+    /// Displacement of the pinion's body along the line of action, over half the backlash.
+    pub u_p: Vec<f64>,
+    /// The same of the gear's body.
+    pub u_g: Vec<f64>,
+    /// Transmission error over half the backlash; the teeth touch where its magnitude is 1 or more.
+    pub u: Vec<f64>,
+}
+
+/// A figure in the making. Each [`Job::advance`] does a slice of the work; [`Job::figure`] is the picture so far.
+#[derive(Debug)]
+pub struct Job {
+    specification: &'static Specification,
+    parameters: Parameters,
+    work: Work,
+}
+
+#[derive(Debug)]
+enum Work {
+    /// Nothing done yet of what is done at once.
+    Waiting,
+    /// Done.
+    Finished(Box<Figure>),
+    /// Figure 8.
+    Exponents(Box<ExponentPaths>),
+    /// Figures 11 to 13.
+    Map(Box<Map>),
+}
+
+impl Job {
+    /// A job for the figure of this id; parameters given override its preset by name.
+    ///
+    /// # Errors
+    /// [`FigureError::UnknownFigure`], or what [`Specification::with`] refuses.
+    pub fn new(id: &str, given: &[(String, Value)]) -> Result<Self, FigureError> {
+        let specification = specification(id)?;
+        let parameters = specification.with(given)?;
+        let work = match specification.id {
+            "8" => Work::Exponents(Box::new(ExponentPaths::new(&parameters)?)),
+            _ if specification.heavy => Work::Map(Box::new(Map::new(&parameters))),
+            _ => Work::Waiting,
+        };
+        Ok(Self { specification, parameters, work })
+    }
+
+    /// Does the next slice of the work, some milliseconds; `true` once there is nothing more to do.
+    ///
+    /// # Errors
+    /// Unequal supports where a formula needs equal ones, or what a study fails with.
+    pub fn advance(&mut self) -> Result<bool, FigureError> {
+        match &mut self.work {
+            Work::Finished(_) => Ok(true),
+            Work::Exponents(paths) => paths.advance(),
+            Work::Map(map) => map.advance(),
+            Work::Waiting => {
+                let figure = at_once(self.specification.id, &self.parameters)?;
+                self.work = Work::Finished(Box::new(figure));
+                Ok(true)
+            }
+        }
+    }
+
+    /// The picture so far. Before the first [`Job::advance`] it may be empty.
+    pub fn figure(&self) -> Figure {
+        match &self.work {
+            Work::Finished(figure) => (**figure).clone(),
+            Work::Exponents(paths) => paths.figure(self.specification.id, &self.parameters),
+            Work::Map(map) => map.figure(self.specification.id, &self.parameters),
+            Work::Waiting => formula(
+                self.specification.id,
+                &self.parameters,
+                Composer::new((1, 1)),
+                "Not computed yet.".to_owned(),
+                "",
+            ),
+        }
+    }
+}
+
+fn at_once(id: &'static str, parameters: &Parameters) -> Result<Figure, FigureError> {
+    match id {
+        "1" => schematic::figure(id, parameters),
+        "2" => determinant::figure(id, parameters, Mode::Second),
+        "3" => pitchfork::figure(id, parameters, Mode::Second),
+        "4" => determinant::figure(id, parameters, Mode::Third),
+        "5" => pitchfork::figure(id, parameters, Mode::Third),
+        "6" => eigenvalues::figure(id, parameters),
+        "7" => hopf::figure(id, parameters),
+        "9" => overall::figure(id, parameters, Supports::Hardening),
+        "10" => overall::figure(id, parameters, Supports::Softening),
+        "14a" | "14b" => response::figure(id, parameters),
+        other => Err(FigureError::UnknownFigure { given: other.to_owned() }),
+    }
+}
+
+/// The whole figure of this id; parameters given override its preset by name.
+///
+/// # Errors
+/// Those of [`Job::new`] and [`Job::advance`].
+pub fn figure(id: &str, given: &[(String, Value)]) -> Result<Figure, FigureError> {
+    let mut job = Job::new(id, given)?;
+    while !job.advance()? {}
+    Ok(job.figure())
+}
+
+/// The drawing of a figure at a time of its motion: figure 1 moves, the others are as they are.
+pub fn at_time(figure: &Figure, time: f64) -> Drawing {
+    match &figure.motion {
+        Some(motion) => schematic::at_time(figure, motion, time),
+        None => figure.drawing.clone(),
+    }
+}
+
+/// A figure made by formulas alone.
+pub(super) fn formula(
+    id: &'static str,
+    parameters: &Parameters,
+    composer: Composer,
+    summary: String,
+    method: &str,
+) -> Figure {
+    Figure {
+        id,
+        parameters: *parameters,
+        drawing: composer.drawing(),
+        summary,
+        method: method.to_owned(),
+        error: ErrorEstimate::default(),
+        motion: None,
+        notes: Vec::new(),
+    }
+}

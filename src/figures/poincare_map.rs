@@ -1,0 +1,524 @@
+//! Figures 11-13: stroboscopic maps, which fill in as they are computed.
+
+use super::compose::{Composer, Line, Points, axis, number, plane};
+use super::job::Figure;
+use crate::chart::drawing::{Drawing, Mark, Role};
+use crate::error::FigureError;
+use crate::model::parameters::{Parameters, Regime};
+use crate::study::ErrorEstimate;
+use crate::study::multipliers::{Multipliers, multipliers};
+use crate::study::orbit::{OrbitOptions, PeriodicOrbit, periodic_orbit};
+use crate::study::poincare::Strobe;
+use std::collections::HashSet;
+
+/// The paper's start, from which its mirror image and the others are made: at rest, on the manifold `u_g = -u_p`.
+const START: [f64; 6] = [-0.02, 0.02, 0.05, 0.0, 0.0, 0.0];
+/// Further points of the manifold to start from, over [`START`]'s scale: how far out, how fast.
+const FURTHER: [[f64; 6]; 2] = [[0.03, -0.03, 0.01, 0.0, 0.0, 0.0], [0.01, -0.01, 0.08, 0.0, 0.0, 0.0]];
+/// Most periods followed from each start.
+const MOST: usize = 4000;
+/// Periods computed in one slice.
+const SLICE: usize = 300;
+/// A start is followed until it is this near the attractor.
+const NEAR: f64 = 1e-3;
+/// Two points of the map this near, a few periods apart: an orbit is looked for there.
+const RETURNING: f64 = 1e-4;
+/// Longest period, in mesh periods, that is looked for.
+const LONGEST: usize = 4;
+/// The share of a motion that never settles on an orbit which counts as its transient.
+const TRANSIENT: f64 = 0.6;
+/// Tolerance of the integration.
+const TOLERANCE: f64 = 1e-10;
+/// Cells along each axis in which a second point is not drawn: a tenth of a pixel of an ordinary picture.
+const CELLS: f64 = 6000.0;
+
+/// What the fixed point in the middle is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Centre {
+    Stable,
+    /// The largest multiplier is real and negative: sides change with every period.
+    FlipSaddle,
+    Saddle,
+    Spiral,
+}
+
+impl Centre {
+    fn of(multipliers: &Multipliers) -> Self {
+        if multipliers.stable {
+            return Self::Stable;
+        }
+        let (re, im) = (multipliers.re[0], multipliers.im[0]);
+        match (im.abs() > 1e-9 * re.abs(), re < 0.0) {
+            (true, _) => Self::Spiral,
+            (false, true) => Self::FlipSaddle,
+            (false, false) => Self::Saddle,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::FlipSaddle | Self::Saddle => "saddle",
+            Self::Spiral => "unstable spiral",
+        }
+    }
+
+    fn role(self) -> Role {
+        match self {
+            Self::Stable => Role::Attractor,
+            Self::FlipSaddle | Self::Saddle => Role::Saddle,
+            Self::Spiral => Role::UnstableSpiral,
+        }
+    }
+}
+
+/// How a start ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum End {
+    /// At the attractor of this index, after so many points.
+    Settled(usize, usize),
+    /// Over the barrier.
+    Escaped(f64),
+    /// Followed for [`MOST`] periods.
+    Wandering,
+}
+
+/// One start and its points so far, the start included.
+#[derive(Clone, Debug)]
+struct Track {
+    strobe: Strobe,
+    states: Vec<[f64; 6]>,
+    end: Option<End>,
+    /// Searches for an orbit that failed: each waits twice as long for the next.
+    next_search: usize,
+}
+
+/// An attractor that starts have reached: the points of one orbit.
+#[derive(Clone, Debug)]
+struct Attractor {
+    orbit: PeriodicOrbit,
+    points: Vec<[f64; 6]>,
+}
+
+/// A map in the making.
+#[derive(Clone, Debug)]
+pub(super) struct Map {
+    parameters: Parameters,
+    centre: Option<Multipliers>,
+    tracks: Vec<Track>,
+    attractors: Vec<Attractor>,
+    turn: usize,
+}
+
+impl Map {
+    pub(super) fn new(parameters: &Parameters) -> Self {
+        Self { parameters: *parameters, centre: None, tracks: Vec::new(), attractors: Vec::new(), turn: 0 }
+    }
+
+    /// The equations are unchanged by `u -> -u`: every start stands for its mirror image too.
+    fn mirrored(&self) -> bool {
+        self.parameters.regime == Regime::Homogeneous
+    }
+
+    pub(super) fn advance(&mut self) -> Result<bool, FigureError> {
+        if self.centre.is_none() {
+            self.begin()?;
+        }
+        let mut left = SLICE;
+        while left > 0 {
+            let Some(index) = self.next_open() else { return Ok(true) };
+            let share = left.min(100);
+            self.follow(index, share)?;
+            left -= share;
+        }
+        Ok(self.tracks.iter().all(|track| track.end.is_some()))
+    }
+
+    fn begin(&mut self) -> Result<(), FigureError> {
+        let centre = multipliers(&self.parameters, TOLERANCE)?;
+        let mut starts = vec![START];
+        starts.extend(FURTHER);
+        if !self.mirrored() {
+            starts.extend(starts.clone().into_iter().map(|start| start.map(|value| -value)));
+        }
+        for start in starts {
+            let state = std::array::from_fn(|i| centre.state[i] + start[i]);
+            let strobe = Strobe::new(&self.parameters, state, TOLERANCE)?;
+            self.tracks.push(Track { strobe, states: vec![state], end: None, next_search: 0 });
+        }
+        if centre.stable {
+            let orbit = PeriodicOrbit {
+                state: centre.state,
+                re: centre.re,
+                im: centre.im,
+                stable: true,
+                min: centre.state,
+                max: centre.state,
+                period: 1,
+                method: centre.method.clone(),
+                error: centre.error,
+            };
+            self.attractors.push(Attractor { points: vec![centre.state], orbit });
+        }
+        self.centre = Some(centre);
+        Ok(())
+    }
+
+    /// The next start that has not ended, in turn.
+    fn next_open(&mut self) -> Option<usize> {
+        let count = self.tracks.len();
+        let index =
+            (0..count).map(|n| (self.turn + n) % count).find(|&index| self.tracks[index].end.is_none())?;
+        self.turn = index + 1;
+        Some(index)
+    }
+
+    fn follow(&mut self, index: usize, periods: usize) -> Result<(), FigureError> {
+        for _ in 0..periods {
+            let track = &mut self.tracks[index];
+            match track.strobe.next()? {
+                Some(state) => track.states.push(state),
+                None => {
+                    track.end = Some(End::Escaped(track.strobe.escaped().unwrap_or(0.0)));
+                    return Ok(());
+                }
+            }
+            if track.states.len() > MOST {
+                track.end = Some(End::Wandering);
+                return Ok(());
+            }
+            if self.settled(index) {
+                return Ok(());
+            }
+        }
+        self.search(index);
+        Ok(())
+    }
+
+    /// Whether the last point is at a known attractor; if so the start has ended.
+    fn settled(&mut self, index: usize) -> bool {
+        let track = &self.tracks[index];
+        let Some(last) = track.states.last() else { return false };
+        let at = self
+            .attractors
+            .iter()
+            .position(|attractor| attractor.points.iter().any(|point| distance(point, last) < NEAR));
+        if let Some(at) = at {
+            let count = track.states.len();
+            self.tracks[index].end = Some(End::Settled(at, count));
+        }
+        at.is_some()
+    }
+
+    /// Looks for an orbit where a start returns to where it was some periods before.
+    fn search(&mut self, index: usize) {
+        let track = &self.tracks[index];
+        let count = track.states.len();
+        if count <= LONGEST || count < track.next_search {
+            return;
+        }
+        let last = track.states[count - 1];
+        let returns =
+            (1..=LONGEST).find(|&period| distance(&last, &track.states[count - 1 - period]) < RETURNING);
+        let Some(period) = returns else { return };
+        match self.orbit(last, period) {
+            Some(attractor) => {
+                let first = track
+                    .states
+                    .iter()
+                    .position(|state| attractor.points.iter().any(|point| distance(point, state) < NEAR));
+                self.attractors.push(attractor);
+                self.tracks[index].end =
+                    first.map(|first| End::Settled(self.attractors.len() - 1, first + 1));
+            }
+            None => self.tracks[index].next_search = 2 * count,
+        }
+    }
+
+    /// The stable orbit near a state.
+    fn orbit(&self, state: [f64; 6], period: usize) -> Option<Attractor> {
+        let options = OrbitOptions { period, guess: Some(state), tolerance: TOLERANCE };
+        let orbit = periodic_orbit(&self.parameters, &options).ok().filter(|orbit| orbit.stable)?;
+        if distance(&orbit.state, &state) > 0.1 {
+            return None;
+        }
+        let mut points = vec![orbit.state];
+        let mut strobe = Strobe::new(&self.parameters, orbit.state, TOLERANCE).ok()?;
+        for _ in 1..orbit.period {
+            points.push(strobe.next().ok()??);
+        }
+        Some(Attractor { orbit, points })
+    }
+
+    /// The picture so far.
+    pub(super) fn figure(&self, id: &'static str, parameters: &Parameters) -> Figure {
+        let Some(centre) = &self.centre else {
+            return Figure {
+                id,
+                parameters: *parameters,
+                drawing: Composer::new((1, 1)).drawing(),
+                summary: "Not computed yet.".to_owned(),
+                method: String::new(),
+                error: ErrorEstimate::default(),
+                motion: None,
+                notes: Vec::new(),
+            };
+        };
+        let error = self.attractors.first().map_or(centre.error, |attractor| attractor.orbit.error);
+        Figure {
+            id,
+            parameters: *parameters,
+            drawing: self.drawing(centre),
+            summary: self.summary(centre),
+            method: "Taylor series from period to period to 1e-10; multipliers and orbits by the variational equations"
+                .to_owned(),
+            error,
+            motion: None,
+            notes: self.notes(centre),
+        }
+    }
+
+    fn finished(&self) -> bool {
+        !self.tracks.is_empty() && self.tracks.iter().all(|track| track.end.is_some())
+    }
+
+    /// The points of a track as they are drawn: those up to the attractor.
+    fn shown<'a>(&self, track: &'a Track) -> &'a [[f64; 6]] {
+        match track.end {
+            Some(End::Settled(_, count)) => &track.states[..count.min(track.states.len())],
+            _ => &track.states,
+        }
+    }
+
+    /// Where the transient of a track ends: a motion that never settles on an orbit is shown as an attractor from
+    /// there on.
+    fn transient(&self, track: &Track) -> usize {
+        let never_settles = !matches!(track.end, Some(End::Settled(..) | End::Escaped(_)));
+        let count = (TRANSIENT * MOST as f64) as usize;
+        if never_settles && self.attractors.is_empty() {
+            count.min(track.states.len())
+        } else {
+            track.states.len()
+        }
+    }
+
+    /// Half the width and the height of the frame, about the fixed point in the middle.
+    fn reach(&self, centre: &Multipliers) -> (f64, f64) {
+        let all = self.tracks.iter().flat_map(|track| self.shown(track)).copied();
+        let nodes = self.attractors.iter().flat_map(|attractor| attractor.points.iter().copied());
+        let (x, y) = all.chain(nodes).fold((0.0_f64, 0.0_f64), |(x, y), state| {
+            (x.max((state[0] - centre.state[0]).abs()), y.max((state[3] - centre.state[3]).abs()))
+        });
+        (rounded_up(1.08 * x), rounded_up(1.08 * y))
+    }
+
+    fn drawing(&self, centre: &Multipliers) -> Drawing {
+        let kind = Centre::of(centre);
+        let (x, y) = self.reach(centre);
+        let (x_0, y_0) = (centre.state[0], centre.state[3]);
+        let mut composer = Composer::new((1, 1));
+        let frame = composer.frame(plane(
+            "map",
+            "",
+            (0, 0),
+            axis("u_p", "*u*_{p}", (x_0 - x, x_0 + x)),
+            axis("u_p_dot", "*u*_{p}'", (y_0 - y, y_0 + y)),
+        ));
+        let mut seen = Thinning::new((x_0, y_0), (x, y));
+        let mut transients = Points::default();
+        let mut late = Points::default();
+        let sides: &[f64] = if self.mirrored() { &[1.0, -1.0] } else { &[1.0] };
+        for (number, track) in self.tracks.iter().enumerate() {
+            let shown = self.shown(track);
+            let cut = self.transient(track).min(shown.len());
+            for &side in sides {
+                let point = |state: &[f64; 6]| (side * state[0], side * state[3]);
+                if kind == Centre::FlipSaddle {
+                    let mut joined = Points::default();
+                    for first in 0..2 {
+                        joined.piece(shown[..cut].iter().skip(first).step_by(2).map(point));
+                    }
+                    let name = if side > 0.0 { "start" } else { "mirrored start" };
+                    let line = Line::new(
+                        format!("{name} {} joined", number + 1),
+                        "every second point of the map joined",
+                        Role::Trajectory,
+                    );
+                    composer.curve(frame, line, joined);
+                }
+                transients.cloud(shown[..cut].iter().map(point).filter(|at| seen.first_there(*at)));
+                late.cloud(shown[cut..].iter().map(point).filter(|at| seen.first_there(*at)));
+            }
+        }
+        let line = Line::new("trajectories", "points of the map on their way", Role::Trajectory);
+        composer.add(frame, Mark::Cloud, line, transients);
+        let line = Line::new("limit cycle", "the closed curve on which the points stay", Role::Attractor);
+        composer.add(frame, Mark::Cloud, line.label("limit cycle", 0.3), late);
+        self.mark_attractors(&mut composer, frame, kind);
+        let line =
+            Line::new("fixed point", format!("the fixed point in the middle: {}", kind.name()), kind.role());
+        let line = line.stable(kind == Centre::Stable).label(kind.name(), 0.5);
+        composer.marks(frame, line, Points::one((x_0, y_0)));
+        composer.drawing()
+    }
+
+    fn mark_attractors(&self, composer: &mut Composer, frame: usize, kind: Centre) {
+        let skip = usize::from(kind == Centre::Stable);
+        for (number, attractor) in self.attractors.iter().enumerate().skip(skip) {
+            let mut points: Vec<[f64; 6]> = attractor.points.clone();
+            if self.mirrored() {
+                for point in &attractor.points {
+                    let image = point.map(|value| -value);
+                    if points.iter().all(|other| distance(other, &image) > NEAR) {
+                        points.push(image);
+                    }
+                }
+            }
+            let period = attractor.orbit.period;
+            let meaning = format!("{} points of the stable motion of period {period}T", points.len());
+            let line = Line::new(format!("node {}", number + 1), meaning, Role::Attractor).stable(true);
+            let label = if period == 2 { "node".to_owned() } else { format!("period {period}*T*") };
+            composer.marks(
+                frame,
+                line.label(&label, 0.0),
+                Points::plane(points.iter().map(|state| (state[0], state[3]))),
+            );
+        }
+    }
+
+    fn summary(&self, centre: &Multipliers) -> String {
+        let kind = Centre::of(centre);
+        let largest = format!("its largest multiplier has magnitude {}", number(centre.spectral_radius, 5));
+        let middle = format!("The fixed point in the middle is {} ({largest})", article(kind));
+        let skip = usize::from(kind == Centre::Stable);
+        if let Some(attractor) = self.attractors.get(skip) {
+            let state = attractor.points[0];
+            let period = attractor.orbit.period;
+            return format!(
+                "{middle}; the starts end in the points of a stable motion of period {period}T at u_p = \u{b1}{}, \
+                 u_p' = {}{}.",
+                number(state[0].abs(), 5),
+                if state[0] * state[3] < 0.0 { "\u{2213}" } else { "\u{b1}" },
+                number(state[3].abs(), 5)
+            );
+        }
+        if kind == Centre::Stable {
+            return format!(
+                "{middle}: the parameters lie outside of the tongues, and small starts come to rest."
+            );
+        }
+        if let Some(time) = self.first_escape() {
+            return format!("{middle}; a start escapes over the barrier at t = {}.", number(time, 5));
+        }
+        let late = self.tracks.iter().flat_map(|track| &track.states[self.transient(track)..]);
+        let (x, y) =
+            late.fold((0.0_f64, 0.0_f64), |(x, y), state| (x.max(state[0].abs()), y.max(state[3].abs())));
+        if x > 0.0 {
+            format!(
+                "{middle}; the starts wind onto a closed curve, a limit cycle, with |u_p| up to {} and |u_p'| up to {}.",
+                number(x, 4),
+                number(y, 4)
+            )
+        } else {
+            format!("{middle}; the starts are on their way out from it.")
+        }
+    }
+
+    fn first_escape(&self) -> Option<f64> {
+        self.tracks
+            .iter()
+            .filter_map(|track| match track.end {
+                Some(End::Escaped(time)) => Some(time),
+                _ => None,
+            })
+            .reduce(f64::min)
+    }
+
+    fn notes(&self, centre: &Multipliers) -> Vec<String> {
+        let mut notes = Vec::new();
+        if !self.finished() {
+            let periods: usize = self.tracks.iter().map(|track| track.states.len() - 1).sum();
+            notes.push(format!("{periods} periods computed so far."));
+        }
+        for (number_of, track) in self.tracks.iter().enumerate() {
+            if let Some(End::Escaped(time)) = track.end {
+                notes.push(format!(
+                    "Start {} escapes at t = {}; it is drawn up to there.",
+                    number_of + 1,
+                    number(time, 5)
+                ));
+            }
+        }
+        if Centre::of(centre) == Centre::Stable {
+            notes.push("The origin is stable here: no tongue holds these parameters.".to_owned());
+        }
+        notes
+    }
+}
+
+fn article(kind: Centre) -> &'static str {
+    match kind {
+        Centre::Stable => "stable",
+        Centre::FlipSaddle | Centre::Saddle => "a saddle",
+        Centre::Spiral => "an unstable spiral",
+    }
+}
+
+/// Distance of two states.
+fn distance(one: &[f64; 6], other: &[f64; 6]) -> f64 {
+    one.iter().zip(other).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
+}
+
+/// The next of a ladder of round numbers: a frame that grows with its data moves in few steps.
+fn rounded_up(value: f64) -> f64 {
+    if !(value.is_finite() && value > 1e-12) {
+        return 1e-3;
+    }
+    let power = 10_f64.powf(value.log10().floor());
+    [1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
+        .into_iter()
+        .map(|digits| digits * power)
+        .find(|step| *step >= value)
+        .unwrap_or(10.0 * power)
+}
+
+/// Lets through the first point in each of many small cells.
+struct Thinning {
+    middle: (f64, f64),
+    cell: (f64, f64),
+    seen: HashSet<(i32, i32)>,
+}
+
+impl Thinning {
+    fn new(middle: (f64, f64), reach: (f64, f64)) -> Self {
+        Self { middle, cell: (2.0 * reach.0 / CELLS, 2.0 * reach.1 / CELLS), seen: HashSet::new() }
+    }
+
+    fn first_there(&mut self, (x, y): (f64, f64)) -> bool {
+        let place = |value: f64, middle: f64, cell: f64| ((value - middle) / cell).round() as i32;
+        self.seen.insert((place(x, self.middle.0, self.cell.0), place(y, self.middle.1, self.cell.1)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ladder_holds_every_value_and_wastes_little() {
+        for value in [1e-9, 0.099, 0.1, 0.54, 1.0, 3.49, 9.3, 123.0] {
+            let up = rounded_up(value);
+            assert!(up >= value && up <= 1.26 * value, "{value} {up}");
+        }
+        assert_eq!(rounded_up(0.0), 1e-3);
+        assert_eq!(rounded_up(f64::NAN), 1e-3);
+    }
+
+    #[test]
+    fn thinning_keeps_one_point_of_a_cell() {
+        let mut thinning = Thinning::new((0.0, 0.0), (3.0, 3.0));
+        assert!(thinning.first_there((1.0, 1.0)));
+        assert!(!thinning.first_there((1.0001, 1.0001)));
+        assert!(thinning.first_there((1.01, 1.0)));
+    }
+}

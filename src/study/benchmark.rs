@@ -1,0 +1,104 @@
+//! Jobs whose speed is measured, beside a plain baseline in the same run; `docs/benchmarks.md` holds the figures.
+
+use super::motion;
+use super::multipliers::linear_monodromy;
+use crate::error::StudyError;
+use crate::model::equations::GearPair;
+use crate::model::parameters::{Parameters, Regime};
+use crate::numerics::ode::Field;
+
+/// Steps a period of the baseline: a fixed step of the classical Runge-Kutta method.
+const PLAIN_STEPS: usize = 200;
+
+/// The jobs by name: each of ours is followed by its baseline.
+pub const JOBS: [&str; 4] =
+    ["monodromy to 1e-10", "monodromy by plain RK4", "100 periods to 1e-10", "100 periods by plain RK4"];
+
+/// Does a job `repetitions` times; answers a number that depends on all its results, so that none can be left out.
+///
+/// # Errors
+/// [`StudyError::Option`] for a job that does not exist; [`StudyError::Numerics`] where it fails.
+pub fn run(job: &str, repetitions: usize) -> Result<f64, StudyError> {
+    let p = Parameters {
+        omega: 1.65,
+        omega_p: 1.65,
+        omega_g: 1.65,
+        regime: Regime::Homogeneous,
+        ..Parameters::default()
+    };
+    let mut sum = 0.0;
+    for index in 0..repetitions {
+        let p = Parameters { k0: 0.5 + 1e-9 * index as f64, ..p };
+        sum += match job {
+            "monodromy to 1e-10" => linear_monodromy(&p, 1e-10, 1.0)?[0][0],
+            "monodromy by plain RK4" => plain_monodromy(&p),
+            "100 periods to 1e-10" => {
+                let end = 100.0 * p.mesh_period();
+                motion::carry(&GearPair::new(&p), 0.0, ORBIT, end, 1e-10)?.state[0]
+            }
+            "100 periods by plain RK4" => plain_motion(&p, ORBIT, 100)[0],
+            _ => {
+                return Err(StudyError::Option {
+                    option: "job",
+                    given: job.into(),
+                    allowed: JOBS.join(", "),
+                });
+            }
+        };
+    }
+    Ok(sum)
+}
+
+/// A state on the 2T orbit of Fig. 11 c.
+const ORBIT: [f64; 6] = [
+    1.8492753921814418,
+    -1.8492753921814413,
+    -0.7618399494429711,
+    0.1765796294591582,
+    -0.17657962945915498,
+    1.359097317974977,
+];
+
+fn plain_step<F: Field<6>>(field: &F, time: f64, state: &[f64; 6], step: f64) -> [f64; 6] {
+    let along = |slope: &[f64; 6], length: f64| std::array::from_fn(|i| state[i] + length * slope[i]);
+    let first = field.derivative(time, state);
+    let second = field.derivative(time + 0.5 * step, &along(&first, 0.5 * step));
+    let third = field.derivative(time + 0.5 * step, &along(&second, 0.5 * step));
+    let fourth = field.derivative(time + step, &along(&third, step));
+    std::array::from_fn(|i| state[i] + step / 6.0 * (first[i] + 2.0 * (second[i] + third[i]) + fourth[i]))
+}
+
+fn plain_motion(p: &Parameters, start: [f64; 6], periods: usize) -> [f64; 6] {
+    let pair = GearPair::new(p);
+    let step = p.mesh_period() / PLAIN_STEPS as f64;
+    (0..periods * PLAIN_STEPS)
+        .fold(start, |state, index| plain_step(&pair, index as f64 * step, &state, step))
+}
+
+fn plain_monodromy(p: &Parameters) -> f64 {
+    // The linear problem is the motion without its cubic terms, column by column.
+    let linear = Parameters { alpha_p: 0.0, alpha_g: 0.0, ..*p };
+    (0..6)
+        .map(|column| {
+            let mut start = [0.0; 6];
+            start[column] = 1.0;
+            plain_motion(&linear, start, 1)[column]
+        })
+        .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_job_runs_and_the_pairs_agree() {
+        let result = |job: &str| run(job, 1).expect("runs");
+        assert!(
+            (result(JOBS[2]) - result(JOBS[3])).abs() < 1e-4,
+            "the baseline is right to its own accuracy"
+        );
+        assert!(JOBS.iter().all(|job| result(job).is_finite()));
+        assert!(run("nothing", 1).is_err());
+    }
+}

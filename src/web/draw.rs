@@ -1,0 +1,118 @@
+//! Drawing: onto a canvas and as SVG text, by an id or from a figure object.
+
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::HtmlCanvasElement;
+use web_sys::js_sys::{Array, Float64Array};
+
+use crate::chart::drawing::Drawing;
+use crate::chart::{self, FrameMap, Theme, View};
+use crate::figures::{self, Figure};
+use crate::web::canvas::CanvasSurface;
+use crate::web::columns::Record;
+use crate::web::drawing;
+use crate::web::errors::{Allowed, Given, WebError};
+use crate::web::options::Options;
+use crate::web::values;
+
+/// Sides of a picture, CSS pixels.
+const SIDE: (f64, f64) = (120.0, 8192.0);
+/// Default width of an SVG picture; its height follows from the figure's aspect.
+const WIDTH: f64 = 720.0;
+/// Names of the themes, for errors.
+const THEMES: &str = "light, dark";
+
+/// SVG text of a figure: `svg(idOrFigure, params, {width, height, theme, view})`.
+///
+/// # Errors
+/// The plain object of a `GearError`.
+#[wasm_bindgen]
+pub fn svg(id_or_figure: &JsValue, params: &JsValue, options: &JsValue) -> Result<String, JsValue> {
+    let options = Options::read(options, &["width", "height", "theme", "view"])?;
+    let theme = theme(&options)?;
+    let (view, time) = view(&options)?;
+    // Sizes are refused before anything is computed.
+    let width = options.number("width", SIDE, WIDTH)?;
+    let given_height = options.number("height", SIDE, f64::NAN)?;
+    let (figure, title) = figure(id_or_figure, params)?;
+    let aspect = figures::specification(figure.id).map_err(WebError::from)?.aspect;
+    let height =
+        if given_height.is_nan() { (width / aspect).round().clamp(SIDE.0, SIDE.1) } else { given_height };
+    let picture = at_time(&figure, time);
+    let text = chart::svg(&picture, &title, &figure.summary, (width, height), &theme, &view);
+    Ok(text.map_err(WebError::from)?)
+}
+
+/// Draws onto a canvas: `draw(idOrFigure, params, canvas, {theme, density, view})`; answers the map between pixels
+/// and data of each frame.
+///
+/// # Errors
+/// The plain object of a `GearError`.
+#[wasm_bindgen]
+pub fn draw(
+    id_or_figure: &JsValue,
+    params: &JsValue,
+    canvas: &JsValue,
+    options: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let options = Options::read(options, &["theme", "density", "view"])?;
+    let theme = theme(&options)?;
+    let (view, time) = view(&options)?;
+    let density = options.number("density", (0.5, 8.0), 2.0)?;
+    let canvas = canvas.dyn_ref::<HtmlCanvasElement>().ok_or_else(|| {
+        WebError::option("canvas", values::given(canvas), Allowed::Text("an HTMLCanvasElement".into()))
+    })?;
+    let (figure, _) = figure(id_or_figure, params)?;
+    let picture = at_time(&figure, time);
+    let mut surface = CanvasSurface::new(canvas.clone(), density).map_err(WebError::from)?;
+    let maps = chart::draw(&mut surface, &picture, &theme, &view).map_err(WebError::from)?;
+    Ok(Record::new().list("frames", maps.iter().map(frame_map)).finish()?)
+}
+
+/// A figure by its id, computed, or from a figure object, read back.
+fn figure(id_or_figure: &JsValue, params: &JsValue) -> Result<(Figure, String), WebError> {
+    if id_or_figure.is_object() && !id_or_figure.is_function() {
+        drawing::read_figure(id_or_figure)
+    } else {
+        drawing::computed(id_or_figure, params)
+    }
+}
+
+fn at_time(figure: &Figure, time: Option<f64>) -> Drawing {
+    time.map_or_else(|| figure.drawing.clone(), |time| figures::at_time(figure, time))
+}
+
+fn theme(options: &Options) -> Result<Theme, WebError> {
+    let word = options.word("theme", THEMES)?;
+    let word = word.as_deref().unwrap_or("light");
+    Theme::by_name(word)
+        .ok_or_else(|| WebError::option("theme", Given::Text(word.into()), Allowed::Text(THEMES.into())))
+}
+
+fn view(options: &Options) -> Result<(View, Option<f64>), WebError> {
+    let given = options.nested("view", &["azimuth", "elevation", "time"])?;
+    let start = View::default();
+    let right_angle = std::f64::consts::FRAC_PI_2;
+    let view = View {
+        azimuth: given.number("azimuth", (-1e3, 1e3), start.azimuth)?,
+        elevation: given.number("elevation", (-right_angle, right_angle), start.elevation)?,
+    };
+    let time = given.number("time", (0.0, 1e9), -1.0)?;
+    Ok((view, (time >= 0.0).then_some(time)))
+}
+
+fn frame_map(map: &FrameMap) -> Record {
+    let [left, top, right, bottom] = map.plot;
+    let plot =
+        Record::new().number("left", left).number("top", top).number("right", right).number("bottom", bottom);
+    let range = |(low, high)| Record::new().number("low", low).number("high", high);
+    let projection = map.projection.map_or(JsValue::NULL, |[first, second]| {
+        Array::of2(&Float64Array::new_from_slice(&first), &Float64Array::new_from_slice(&second)).into()
+    });
+    Record::new()
+        .value("name", map.name.as_str())
+        .record("plot", plot)
+        .record("x", range(map.x))
+        .record("y", range(map.y))
+        .value("projection", projection)
+}

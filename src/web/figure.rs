@@ -1,0 +1,158 @@
+//! The figures: what there is, one computed at once, one computed in pieces.
+
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+use web_sys::js_sys::Array;
+
+use crate::figures::{self, Job, Preset, Specification};
+use crate::model::parameters::{
+    ParameterInfo, Parameters, Regime, SHORT_FORMS, Scale, ShortForm, TABLE, info,
+};
+use crate::web::columns::{Record, array};
+use crate::web::drawing;
+use crate::web::errors::WebError;
+use crate::web::options;
+
+const REGIME_MEANING: &str = "what the tooth force follows: the deviation alone (homogeneous), the teeth always in \
+    contact (contact), or contact and separation (backlash)";
+
+/// Every parameter with its symbol, default, range and meaning: `defaults()`.
+///
+/// # Errors
+/// The plain object of a `GearError`.
+#[wasm_bindgen]
+pub fn defaults() -> Result<JsValue, JsValue> {
+    let lines = TABLE.iter().map(|line| parameter_record(line, None, line.default));
+    let regime = regime_record(Parameters::default().regime.name());
+    Ok(array(lines.chain([regime]))?)
+}
+
+/// Every figure with its words, controls and manners: `figures()`.
+///
+/// # Errors
+/// The plain object of a `GearError`.
+#[wasm_bindgen]
+pub fn figures() -> Result<JsValue, JsValue> {
+    Ok(array(figures::specifications().iter().map(specification_record))?)
+}
+
+/// One figure, computed: `figure(id, params)`.
+///
+/// # Errors
+/// The plain object of a `GearError`.
+#[wasm_bindgen]
+pub fn figure(id: &JsValue, params: &JsValue) -> Result<JsValue, JsValue> {
+    let (figure, title) = drawing::computed(id, params)?;
+    Ok(drawing::figure_record(&figure, &title).finish()?)
+}
+
+/// A figure that is computed in pieces.
+#[wasm_bindgen]
+pub struct FigureProgress {
+    job: Job,
+    title: String,
+}
+
+/// Begins a figure that is computed in pieces: `progress(id, params)`.
+///
+/// # Errors
+/// The plain object of a `GearError`.
+#[wasm_bindgen]
+pub fn progress(id: &JsValue, params: &JsValue) -> Result<FigureProgress, JsValue> {
+    let id = drawing::figure_id(id)?;
+    let given = options::named_values(params)?;
+    let job = Job::new(&id, &given).map_err(WebError::from)?;
+    let title = drawing::title(&id).map_err(WebError::from)?;
+    Ok(FigureProgress { job, title })
+}
+
+#[wasm_bindgen]
+impl FigureProgress {
+    /// Works for about 15 ms; true when the figure is done.
+    ///
+    /// # Errors
+    /// The plain object of a `GearError`.
+    pub fn advance(&mut self) -> Result<bool, JsValue> {
+        Ok(self.job.advance().map_err(WebError::from)?)
+    }
+
+    /// What there is so far.
+    ///
+    /// # Errors
+    /// The plain object of a `GearError`.
+    pub fn figure(&self) -> Result<JsValue, JsValue> {
+        Ok(drawing::figure_record(&self.job.figure(), &self.title).finish()?)
+    }
+}
+
+fn specification_record(specification: &Specification) -> Record {
+    let controls = specification.parameters.iter().map(|name| control_record(specification, name));
+    Record::new()
+        .value("id", specification.id)
+        .value("title", specification.title)
+        .value("caption", specification.caption)
+        .list("parameters", controls)
+        .value("turnable", specification.turnable)
+        .value("animated", specification.animated)
+        .number("aspect", specification.aspect)
+        .value("heavy", specification.heavy)
+}
+
+/// One control of a figure: the parameter's line, with this figure's own default.
+fn control_record(specification: &Specification, name: &str) -> Record {
+    let preset = |name: &str| {
+        let own = specification.preset.iter().find(|(given, _)| *given == name);
+        own.map(|(_, preset)| *preset)
+    };
+    if name == "regime" {
+        return regime_record(match preset(name) {
+            Some(Preset::Word(word)) => word,
+            _ => Parameters::default().regime.name(),
+        });
+    }
+    let form = SHORT_FORMS.iter().find(|form| form.name == name);
+    let Some(line) = info(name) else { return Record::new().value("name", name) };
+    let own = [Some(name), form.map(|form| form.sets[0]), line.short, line.follows]
+        .into_iter()
+        .flatten()
+        .find_map(preset);
+    let default = match own {
+        Some(Preset::Number(number)) => number,
+        _ => line.default,
+    };
+    parameter_record(line, form, default)
+}
+
+fn parameter_record(line: &ParameterInfo, form: Option<&ShortForm>, default: f64) -> Record {
+    let (name, symbol, meaning) =
+        form.map_or((line.name, line.symbol, line.meaning), |form| (form.name, form.symbol, form.meaning));
+    let sets = form.map_or_else(|| vec![line.name], |form| form.sets.to_vec());
+    let short = if form.is_some() { None } else { line.short };
+    let scale = match line.scale {
+        Scale::Linear => "linear",
+        Scale::Logarithmic => "logarithmic",
+    };
+    let word = |word: Option<&str>| word.map_or(JsValue::NULL, JsValue::from);
+    Record::new()
+        .value("name", name)
+        .value("symbol", symbol)
+        .number("default", default)
+        .number("low", line.low)
+        .number("high", line.high)
+        .pair("range", (line.low, line.high))
+        .pair("slider", line.slider)
+        .value("scale", scale)
+        .value("unit", "dimensionless")
+        .value("meaning", meaning)
+        .value("follows", word(line.follows))
+        .value("short", word(short))
+        .texts("sets", sets)
+}
+
+fn regime_record(default: &str) -> Record {
+    Record::new()
+        .value("name", "regime")
+        .value("choices", Regime::NAMES.iter().map(|name| JsValue::from(*name)).collect::<Array>())
+        .value("default", default)
+        .value("meaning", REGIME_MEANING)
+}

@@ -1,0 +1,177 @@
+//! Parameters and options as they come from JavaScript, checked by name, type and range before anything is done.
+
+use wasm_bindgen::JsValue;
+
+use crate::error::ModelError;
+use crate::model::parameters::{Parameters, Regime, Value, info};
+use crate::study::motion::TOLERANCE;
+use crate::web::errors::{Allowed, Given, WebError};
+use crate::web::values;
+
+/// Largest absolute value of a coordinate of a state.
+pub const LARGEST_COORDINATE: f64 = 1e6;
+
+/// The default tolerance.
+pub const DEFAULT_TOLERANCE: f64 = 1e-10;
+
+/// Names and values of a parameters object, in its order; nothing given is no parameters.
+///
+/// # Errors
+/// `not-an-object`, `unknown-parameter`, `not-a-number` or `not-a-choice`. Ranges are checked by the model.
+pub fn named_values(params: &JsValue) -> Result<Vec<(String, Value)>, WebError> {
+    if values::is_absent(params) {
+        return Ok(Vec::new());
+    }
+    values::properties("parameters", params)?
+        .into_iter()
+        .map(|(name, value)| {
+            let value = parameter_value(&name, &value)?;
+            Ok((name, value))
+        })
+        .collect()
+}
+
+fn parameter_value(name: &str, value: &JsValue) -> Result<Value, WebError> {
+    if name == "regime" {
+        return value.as_string().map(Value::Text).ok_or_else(|| {
+            let given = values::given_words(value);
+            ModelError::NotAChoice { parameter: name.into(), given, allowed: &Regime::NAMES }.into()
+        });
+    }
+    number_value(name, value, info(name).map(|info| (info.low, info.high)))
+}
+
+/// A finite number by the name of a parameter or quantity with this range; without a range there is no such name.
+///
+/// # Errors
+/// `unknown-parameter` or `not-a-number`. The range is checked by the model.
+pub fn number_value(name: &str, value: &JsValue, range: Option<(f64, f64)>) -> Result<Value, WebError> {
+    let Some((low, high)) = range else {
+        return Err(ModelError::UnknownParameter { name: name.into() }.into());
+    };
+    value.as_f64().filter(|number| number.is_finite()).map(Value::Number).ok_or_else(|| {
+        let given = values::given_words(value);
+        ModelError::NotANumber { parameter: name.into(), given, low, high }.into()
+    })
+}
+
+/// The parameters of the model from a parameters object.
+///
+/// # Errors
+/// As [`named_values`], and those of [`Parameters::from_named`].
+pub fn parameters(params: &JsValue) -> Result<Parameters, WebError> {
+    let named = named_values(params)?;
+    Ok(Parameters::from_named(named.iter().map(|(name, value)| (name.as_str(), value.clone())))?)
+}
+
+/// An options object whose names are known. `undefined` as a value is as if the option were not there.
+pub struct Options {
+    given: Vec<(String, JsValue)>,
+}
+
+impl Options {
+    /// Reads an options object that may hold these names.
+    ///
+    /// # Errors
+    /// `not-an-object`, or `option` for a name that is not known.
+    pub fn read(options: &JsValue, known: &[&str]) -> Result<Self, WebError> {
+        Self::read_named("options", options, known)
+    }
+
+    fn read_named(what: &str, options: &JsValue, known: &[&str]) -> Result<Self, WebError> {
+        if values::is_absent(options) {
+            return Ok(Self { given: Vec::new() });
+        }
+        let given = values::properties(what, options)?;
+        match given.iter().find(|(name, _)| !known.contains(&name.as_str())) {
+            Some((name, _)) => Err(WebError::unknown_option(name, known)),
+            None => Ok(Self { given }),
+        }
+    }
+
+    fn get(&self, name: &str) -> Option<&JsValue> {
+        self.given
+            .iter()
+            .find(|(given, value)| given == name && !values::is_absent(value))
+            .map(|(_, value)| value)
+    }
+
+    /// A number from `range`, ends included.
+    ///
+    /// # Errors
+    /// `option`.
+    pub fn number(&self, name: &str, range: (f64, f64), default: f64) -> Result<f64, WebError> {
+        let Some(value) = self.get(name) else { return Ok(default) };
+        value
+            .as_f64()
+            .filter(|number| range.0 <= *number && *number <= range.1)
+            .ok_or_else(|| WebError::option(name, values::given(value), Allowed::Range(range.0, range.1)))
+    }
+
+    /// A whole number from `range`, ends included.
+    ///
+    /// # Errors
+    /// `option`.
+    pub fn whole(&self, name: &str, range: (usize, usize), default: usize) -> Result<usize, WebError> {
+        let Some(value) = self.get(name) else { return Ok(default) };
+        let (low, high) = (range.0 as f64, range.1 as f64);
+        match value.as_f64() {
+            Some(number) if low <= number && number <= high && number.fract() == 0.0 => Ok(number as usize),
+            Some(number) if low <= number && number <= high => {
+                let allowed = Allowed::Text(format!("a whole number from {low} to {high}"));
+                Err(WebError::option(name, values::given(value), allowed))
+            }
+            _ => Err(WebError::option(name, values::given(value), Allowed::Range(low, high))),
+        }
+    }
+
+    /// The tolerance of an integration.
+    ///
+    /// # Errors
+    /// `option`.
+    pub fn tolerance(&self) -> Result<f64, WebError> {
+        self.number("tolerance", TOLERANCE, DEFAULT_TOLERANCE)
+    }
+
+    /// A state: six finite numbers `(u_p, u_g, u, u_p', u_g', u')`.
+    ///
+    /// # Errors
+    /// `option`.
+    pub fn state(&self, name: &str) -> Result<Option<[f64; 6]>, WebError> {
+        let Some(value) = self.get(name) else { return Ok(None) };
+        let allowed =
+            || Allowed::Text(format!("six numbers, each from -{LARGEST_COORDINATE} to {LARGEST_COORDINATE}"));
+        let numbers = values::numbers(value, 6).map_err(|given| WebError::option(name, given, allowed()))?;
+        if let Some(bad) = numbers.iter().find(|number| number.is_nan() || number.abs() > LARGEST_COORDINATE)
+        {
+            return Err(WebError::option(name, Given::Number(*bad), allowed()));
+        }
+        let length = numbers.len();
+        <[f64; 6]>::try_from(numbers)
+            .map(Some)
+            .map_err(|_| WebError::option(name, Given::Text(format!("{length} numbers")), allowed()))
+    }
+
+    /// A text of at most 80 characters.
+    ///
+    /// # Errors
+    /// `option`, saying that it is one of `choices`.
+    pub fn word(&self, name: &str, choices: &str) -> Result<Option<String>, WebError> {
+        let Some(value) = self.get(name) else { return Ok(None) };
+        match value.as_string() {
+            Some(word) if word.len() <= 80 => Ok(Some(word)),
+            _ => Err(WebError::option(name, values::given(value), Allowed::Text(choices.into()))),
+        }
+    }
+
+    /// Options within an option.
+    ///
+    /// # Errors
+    /// `not-an-object`, or `option` for a name that is not known.
+    pub fn nested(&self, name: &str, known: &[&str]) -> Result<Self, WebError> {
+        match self.get(name) {
+            None => Ok(Self { given: Vec::new() }),
+            Some(value) => Self::read_named(name, value, known),
+        }
+    }
+}

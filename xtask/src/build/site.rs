@@ -1,0 +1,139 @@
+//! The static folder: what is in it, and how it is brought up to date.
+
+use super::bindings::Generated;
+use super::module;
+use crate::{Failure, place};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// A file that every `dist/` of ours holds, and by which we know that a folder is ours to tidy.
+const MODULE: &str = "gear-bifurcations.js";
+
+/// Files of `www/` that are sources of others or serve only the type checker.
+const NOT_SERVED: [&str; 2] = ["engine/gear-bifurcations.js", "engine/bindings.js"];
+
+/// The files of the static folder, by their path in it.
+#[derive(Default)]
+pub struct Site(BTreeMap<String, Vec<u8>>);
+
+/// Brings together everything that is served.
+pub fn gather(root: &Path, generated: &Generated) -> Result<Site, Failure> {
+    let mut site = Site::default();
+    let www = root.join("www");
+    let handwritten = www.join("engine/gear-bifurcations.js");
+    let handwritten = std::fs::read_to_string(&handwritten).map_err(Failure::file(&handwritten))?;
+    site.add(MODULE, module::splice(&handwritten, &generated.glue)?);
+    site.add("gear-bifurcations_bg.wasm", generated.wasm.clone());
+    site.add("package.json", package());
+    site.copy(&www.join("engine/gear-bifurcations.d.ts"), "gear-bifurcations.d.ts")?;
+    site.copy(&root.join("index.html"), "index.html")?;
+    for name in place::files_below(&www)? {
+        if !NOT_SERVED.contains(&name.as_str()) && !name.ends_with(".d.ts") {
+            site.copy(&www.join(&name), &format!("www/{name}"))?;
+        }
+    }
+    // Each figure as a drawing, for readers without scripts and until the live one is there. A test proves that they
+    // are what the library draws today, so that the build need not compile it twice.
+    let drawings = root.join("tests/goldens");
+    for name in place::files_below(&drawings)? {
+        site.copy(&drawings.join(&name), &format!("figures/{name}"))?;
+    }
+    Ok(site)
+}
+
+/// Lets Node and editors take the folder as a package: without it Node 20 would read the module as `CommonJS`.
+fn package() -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    format!(
+        r#"{{
+  "name": "gear-bifurcations",
+  "version": "{version}",
+  "license": "MIT OR Apache-2.0",
+  "type": "module",
+  "exports": {{
+    ".": {{ "types": "./gear-bifurcations.d.ts", "default": "./gear-bifurcations.js" }},
+    "./gear-bifurcations.js": {{ "types": "./gear-bifurcations.d.ts", "default": "./gear-bifurcations.js" }},
+    "./gear-bifurcations_bg.wasm": "./gear-bifurcations_bg.wasm"
+  }},
+  "types": "./gear-bifurcations.d.ts"
+}}
+"#
+    )
+}
+
+impl Site {
+    fn add(&mut self, name: &str, content: impl Into<Vec<u8>>) {
+        self.0.insert(name.to_owned(), content.into());
+    }
+
+    /// Adds a file as it is.
+    pub fn copy(&mut self, from: &Path, name: &str) -> Result<(), Failure> {
+        self.add(name, std::fs::read(from).map_err(Failure::file(from))?);
+        Ok(())
+    }
+
+    /// Makes `out` hold these files and no others. What is the same already is not written again.
+    pub fn write(&self, out: &Path) -> Result<(), Failure> {
+        let present = place::files_below(out)?;
+        if !present.is_empty() && !out.join(MODULE).is_file() {
+            let reason = format!(
+                "it holds files but no {MODULE}; choose an empty folder, so that nothing of yours is lost"
+            );
+            return Err(Failure::invalid(out.display().to_string(), reason));
+        }
+        for stale in present.iter().filter(|name| !self.0.contains_key(*name)) {
+            let path = out.join(stale);
+            std::fs::remove_file(&path).map_err(Failure::file(&path))?;
+        }
+        for (name, content) in &self.0 {
+            let path = out.join(name);
+            if std::fs::read(&path).is_ok_and(|old| old == *content) {
+                continue;
+            }
+            if let Some(folder) = path.parent() {
+                std::fs::create_dir_all(folder).map_err(Failure::file(folder))?;
+            }
+            std::fs::write(&path, content).map_err(Failure::file(&path))?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MODULE, Site};
+
+    fn folder(name: &str) -> std::path::PathBuf {
+        let folder = std::env::temp_dir().join(format!("gear-site-{}-{name}", std::process::id()));
+        let _ = std::fs::remove_dir_all(&folder);
+        folder
+    }
+
+    #[test]
+    fn the_folder_holds_the_files_and_no_stale_ones() {
+        let out = folder("stale");
+        let mut site = Site::default();
+        site.add(MODULE, "one");
+        site.add("www/old.js", "old");
+        site.write(&out).unwrap();
+        let mut site = Site::default();
+        site.add(MODULE, "two");
+        site.add("www/style/new.css", "new");
+        site.write(&out).unwrap();
+        assert_eq!(crate::place::files_below(&out).unwrap(), [MODULE, "www/style/new.css"]);
+        assert_eq!(std::fs::read(out.join(MODULE)).unwrap(), b"two");
+        std::fs::remove_dir_all(out).unwrap();
+    }
+
+    #[test]
+    fn a_folder_with_somebody_elses_files_is_left_alone() {
+        let out = folder("foreign");
+        std::fs::create_dir_all(&out).unwrap();
+        std::fs::write(out.join("thesis.tex"), "years of work").unwrap();
+        let mut site = Site::default();
+        site.add(MODULE, "one");
+        assert!(site.write(&out).is_err());
+        assert_eq!(crate::place::files_below(&out).unwrap(), ["thesis.tex"]);
+        std::fs::remove_dir_all(out).unwrap();
+    }
+}

@@ -1,0 +1,111 @@
+//! `cargo xtask test`: everything that must hold before a change lands, the quick things first.
+
+mod count;
+
+use crate::command::{Options, cargo, not_started, program, run, succeeded};
+use crate::serve::{Prefix, Server};
+use crate::{Failure, build, place, tools};
+use count::Count;
+use std::io::{BufRead, BufReader};
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+/// The page must work from any path: the browser sees it under this one.
+const SUB_PATH: &str = "/some/where/";
+
+/// Runs the steps, stops at the first that fails, and ends with a line of counts.
+pub fn check(options: &Options) -> Result<(), Failure> {
+    let mut count = Count::default();
+    let outcome = steps(options.flag("--quick"), &mut count);
+    if let Err(failure) = &outcome {
+        println!("stopped: {failure}");
+        // A step that is no test, such as a lint: its failure is one all the same.
+        count.failed = count.failed.max(1);
+    }
+    println!("{count}");
+    outcome.map_err(|_| Failure::Told)
+}
+
+fn steps(quick: bool, count: &mut Count) -> Result<(), Failure> {
+    step("formatting", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
+    step("lints", || {
+        run(&mut cargo(&["clippy", "--quiet", "--workspace", "--all-targets", "--", "-D", "warnings"]))
+    })?;
+    if !quick {
+        step("lints of the wasm side", || {
+            tools::ensure_wasm_target()?;
+            let target = ["--target", "wasm32-unknown-unknown"];
+            run(cargo(&["clippy", "--quiet", "--lib"]).args(target).args(["--", "-D", "warnings"]))
+        })?;
+    }
+    step("native tests and those in the docs", || {
+        counted(&mut cargo(&["test", "--quiet", "--workspace", "--no-fail-fast"]), count::cargo, count)
+    })?;
+    if !quick {
+        step("documentation", || {
+            run(cargo(&["doc", "--quiet", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"))
+        })?;
+    }
+    step("build, and the size of the wasm", || {
+        build::build(&place::root().join("dist")).map(|built| built.report())
+    })?;
+    step("npm packages", tools::ensure_node_packages)?;
+    step("types of the JavaScript", || {
+        run(&mut program("npx", &["--no-install", "tsc", "--checkJs", "--strict", "--project", "."]))
+    })?;
+    step("tests in Node", || {
+        let files = tests_in("tests/node")?;
+        let mut node = program("node", &["--test", "--test-reporter=spec"]);
+        counted(node.args(&files), count::node, count)
+    })?;
+    if !quick {
+        step("tests in Chromium", || browser(count))?;
+    }
+    Ok(())
+}
+
+/// Runs one step, saying its name before and its time after.
+fn step(name: &str, work: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
+    println!("== {name}");
+    let start = Instant::now();
+    let outcome = work();
+    let verdict = if outcome.is_ok() { "done" } else { "FAILED" };
+    println!("== {name}: {verdict} in {:.1} s\n", start.elapsed().as_secs_f64());
+    outcome
+}
+
+/// Runs a command, shows what it prints, and counts the tests in it.
+fn counted(command: &mut Command, reader: fn(&str) -> Count, count: &mut Count) -> Result<(), Failure> {
+    let mut child = command.stdout(Stdio::piped()).spawn().map_err(|source| not_started(command, &source))?;
+    if let Some(output) = child.stdout.take() {
+        let mut output = BufReader::new(output);
+        let mut line = Vec::new();
+        // Lines of bytes: a test may print what is no UTF-8, and must not stop us.
+        while output.read_until(b'\n', &mut line).is_ok_and(|length| length > 0) {
+            let text = String::from_utf8_lossy(&line);
+            print!("{text}");
+            *count += reader(&text);
+            line.clear();
+        }
+    }
+    let status = child.wait().map_err(|source| not_started(command, &source))?;
+    succeeded(command, status)
+}
+
+/// The test files below a folder. They are named one by one: Node's own search changed between versions.
+fn tests_in(folder: &str) -> Result<Vec<String>, Failure> {
+    let mut names = place::files_below(&place::root().join(folder))?;
+    names.retain(|name| name.ends_with(".test.js") || name.ends_with(".test.mjs"));
+    if names.is_empty() {
+        return Err(Failure::invalid(folder, "there is no test in it"));
+    }
+    Ok(names.into_iter().map(|name| format!("{folder}/{name}")).collect())
+}
+
+fn browser(count: &mut Count) -> Result<(), Failure> {
+    let chromium = tools::ensure_chromium()?;
+    let prefix = Prefix::new(SUB_PATH).ok_or_else(|| Failure::invalid(SUB_PATH, "no plain path"))?;
+    let address = Server::bind(place::root().join("dist"), prefix, Some(0))?.in_background();
+    let mut playwright = program("npx", &["--no-install", "playwright", "test"]);
+    counted(playwright.env("CHROMIUM", chromium).env("GEAR_ADDRESS", address), count::playwright, count)
+}

@@ -1,0 +1,98 @@
+//! Programs from elsewhere: found, brought where we may, and otherwise named.
+
+use crate::command::{output_of, program, run};
+use crate::{Failure, place};
+use std::path::PathBuf;
+
+const WASM_TARGET: &str = "wasm32-unknown-unknown";
+
+/// Where a program is on the search path.
+pub fn find(name: &str) -> Option<PathBuf> {
+    let path = std::env::var_os("PATH")?;
+    std::env::split_paths(&path).map(|folder| folder.join(name)).find(|candidate| candidate.is_file())
+}
+
+/// Sees to it that the compiler can make wasm. Never touches the toolchain itself.
+pub fn ensure_wasm_target() -> Result<(), Failure> {
+    if find("rustup").is_none() {
+        // A distribution's own compiler: it has the target if its library is there.
+        let target =
+            output_of(&mut program("rustc", &["--print", "target-libdir", "--target", WASM_TARGET]))?;
+        if PathBuf::from(target.trim()).is_dir() {
+            return Ok(());
+        }
+        return Err(Failure::Missing {
+            tool: "the compiler's wasm32-unknown-unknown target",
+            advice: "Install rustup (https://rustup.rs) and run `rustup target add wasm32-unknown-unknown`, \
+                     or install your distribution's package of that target (Debian: libstd-rust-dev-wasm32).",
+        });
+    }
+    let installed = output_of(&mut program("rustup", &["target", "list", "--installed"]))?;
+    if installed.lines().any(|line| line.trim() == WASM_TARGET) {
+        return Ok(());
+    }
+    println!("adding the target {WASM_TARGET}");
+    run(&mut program("rustup", &["target", "add", WASM_TARGET]))
+}
+
+/// Where the release build for wasm lands.
+pub fn wasm_artifact() -> PathBuf {
+    place::target().join(WASM_TARGET).join("release").join("gear_bifurcations.wasm")
+}
+
+/// Oldest Node that runs the module and its tests.
+const OLDEST_NODE: u32 = 20;
+
+/// Sees to it that Node and the npm packages of package-lock.json are there.
+pub fn ensure_node_packages() -> Result<(), Failure> {
+    let advice = "Install Node.js 20 or newer, npm with it (https://nodejs.org, or your distribution's nodejs and npm).";
+    for tool in ["node", "npm"] {
+        if find(tool).is_none() {
+            return Err(Failure::Missing { tool, advice });
+        }
+    }
+    let version = output_of(&mut program("node", &["--version"]))?;
+    let major = version.trim().trim_start_matches('v').split('.').next().and_then(|major| major.parse().ok());
+    if major.is_none_or(|major: u32| major < OLDEST_NODE) {
+        return Err(Failure::Missing { tool: "a newer Node.js", advice });
+    }
+    if packages_are_current() {
+        return Ok(());
+    }
+    run(&mut program("npm", &["ci", "--ignore-scripts", "--no-audit", "--no-fund"]))
+}
+
+/// Whether `node_modules` was installed after the lock file last changed.
+fn packages_are_current() -> bool {
+    let modified =
+        |name: &str| std::fs::metadata(place::root().join(name)).and_then(|file| file.modified()).ok();
+    match (modified("node_modules/.package-lock.json"), modified("package-lock.json")) {
+        (Some(installed), Some(locked)) => installed >= locked,
+        _ => false,
+    }
+}
+
+/// Where Chromium is: the one named by the variable CHROMIUM, one on the search path, or Debian's, installed now.
+pub fn ensure_chromium() -> Result<PathBuf, Failure> {
+    if let Some(given) = std::env::var_os("CHROMIUM") {
+        return Ok(PathBuf::from(given));
+    }
+    let names = ["chromium", "chromium-browser", "google-chrome"];
+    let present = || names.iter().find_map(|name| find(name));
+    if let Some(chromium) = present() {
+        return Ok(chromium);
+    }
+    let advice =
+        "Install it (Debian, Ubuntu: `apt-get install chromium`), or name one in the variable CHROMIUM.";
+    let missing = Failure::Missing { tool: "Chromium", advice };
+    let root = output_of(&mut program("id", &["-u"])).is_ok_and(|id| id.trim() == "0");
+    if !root || find("apt-get").is_none() {
+        return Err(missing);
+    }
+    println!("installing Chromium");
+    let quietly =
+        |arguments: &[&str]| run(program("apt-get", arguments).env("DEBIAN_FRONTEND", "noninteractive"));
+    quietly(&["update", "-q"])?;
+    quietly(&["install", "-q", "-y", "--no-install-recommends", "chromium"])?;
+    present().ok_or(missing)
+}
