@@ -135,8 +135,13 @@ fn draw_labels<S: Surface>(
         .zip(anchors)
         .filter_map(|(series, anchor)| {
             let markup = series.label.as_ref().filter(|label| !label.is_empty())?.clone();
-            let color = theme.look(series.role, series.stable).text;
-            Some(Request { markup, size: panel.sizes.tick + 0.5, color, anchor: anchor? })
+            let look = theme.look(series.role, series.stable);
+            let ground = match series.mark {
+                Mark::Filled | Mark::Band => look.fill.over(theme.ground, look.opacity),
+                _ => theme.ground,
+            };
+            let size = panel.sizes.tick + 0.5;
+            Some(Request { markup, size, color: look.text, ground, anchor: anchor? })
         })
         .collect();
     let placed = place(&requests, crowd, within);
@@ -146,7 +151,7 @@ fn draw_labels<S: Surface>(
         }
     }
     for found in &placed {
-        painter.label(&found.label, found.at, Align::Left, found.color, Some(theme.ground))?;
+        painter.label(&found.label, found.at, Align::Left, found.color, Some(found.ground))?;
     }
     Ok(())
 }

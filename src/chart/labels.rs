@@ -11,6 +11,8 @@ const CELL: f64 = 3.0;
 const GAPS: [f64; 4] = [3.5, 8.0, 16.0, 28.0];
 /// From this gap on a thin line leads from the label to what it names, CSS pixels.
 const LEADER_FROM: f64 = 14.0;
+/// Width of a plot that counts as small, CSS pixels.
+const SMALL: f64 = 320.0;
 /// Cost of a label over another, or over the edge: never worth it.
 const FORBIDDEN: f64 = 1e4;
 /// Cost of a pixel away from where the label is wanted.
@@ -42,6 +44,8 @@ pub struct Request {
     pub size: f64,
     /// Colour.
     pub color: Color,
+    /// Colour of what it is written on: the rim about its letters.
+    pub ground: Color,
     /// What it belongs to.
     pub anchor: Anchor,
 }
@@ -55,6 +59,8 @@ pub struct Placed {
     pub at: [f64; 2],
     /// Colour.
     pub color: Color,
+    /// Colour of the rim about its letters.
+    pub ground: Color,
     /// A thin line to what it names.
     pub leader: Option<([f64; 2], [f64; 2])>,
 }
@@ -66,6 +72,7 @@ pub struct Crowd {
     rows: usize,
     ink: Vec<bool>,
     boxes: Vec<Rect>,
+    words: Vec<Rect>,
 }
 
 impl Crowd {
@@ -73,7 +80,7 @@ impl Crowd {
     pub fn new(area: Rect) -> Self {
         let count = |length: f64| (length / CELL).ceil().max(1.0) as usize;
         let (columns, rows) = (count(area.width()), count(area.height()));
-        Self { area, columns, rows, ink: vec![false; columns * rows], boxes: Vec::new() }
+        Self { area, columns, rows, ink: vec![false; columns * rows], boxes: Vec::new(), words: Vec::new() }
     }
 
     /// Notes a polyline.
@@ -155,10 +162,10 @@ pub fn place(requests: &[Request], crowd: &mut Crowd, within: &Rect) -> Vec<Plac
                 continue;
             };
             let area = Rect::around(best.middle, label.width, label.height());
-            crowd.add_box(area);
+            crowd.words.push(area);
             let at = [area.left, area.top + label.ascent];
             let leader = best.from.map(|from| (from, nearest(&area.grown(1.5), from)));
-            placed.push(Placed { label, at, color: request.color, leader });
+            placed.push(Placed { label, at, color: request.color, ground: request.ground, leader });
             break;
         }
     }
@@ -177,14 +184,21 @@ fn best_place(
         return None;
     }
     let fixed = matches!(request.anchor, Anchor::Place(_));
+    // In a small plot a label across several lines hides what it should explain.
+    let most_ink =
+        if within.width() < SMALL && matches!(request.anchor, Anchor::Curve(..)) { 8.0 } else { f64::MAX };
     let mut best: Option<Candidate> = None;
     for mut candidate in candidates(&request.anchor, width, height, within) {
         let area = Rect::around(candidate.middle, width, height);
         let kept = area.grown(1.5);
         if !fixed {
-            candidate.cost += INK * crowd.ink_in(sums, &kept);
-            let touches = crowd.boxes.iter().any(|taken| taken.overlaps(&kept));
-            if touches || !within.holds(&area.grown(1.0)) {
+            let ink = crowd.ink_in(sums, &kept);
+            candidate.cost += INK * ink;
+            // Words side by side would be read as one: they need more room to their sides.
+            let apart = Rect { left: kept.left - 4.0, right: kept.right + 4.0, ..kept };
+            let touches = crowd.boxes.iter().any(|taken| taken.overlaps(&kept))
+                || crowd.words.iter().any(|taken| taken.overlaps(&apart));
+            if touches || ink > most_ink || !within.holds(&area.grown(1.0)) {
                 candidate.cost += FORBIDDEN;
             }
         }
@@ -318,7 +332,13 @@ mod tests {
     const AREA: Rect = Rect { left: 0.0, top: 0.0, right: 300.0, bottom: 200.0 };
 
     fn request(markup: &str, anchor: Anchor) -> Request {
-        Request { markup: markup.to_owned(), size: 12.0, color: Color(0, 0, 0), anchor }
+        Request {
+            markup: markup.to_owned(),
+            size: 12.0,
+            color: Color(0, 0, 0),
+            ground: Color(255, 255, 255),
+            anchor,
+        }
     }
 
     fn area(placed: &Placed) -> Rect {
