@@ -186,14 +186,16 @@ fn panel(
     }
     for (index, radii) in printed.iter().enumerate() {
         let which = ["left", "right"][usize::from(index > 0 || radii.edge > 0.0)];
-        for (letter, curve, label_at) in [("B", &radii.b, 0.8), ("C", &radii.c, 0.9)] {
+        for (letter, curve, label_at) in [("B", &radii.b, 0.7), ("C", &radii.c, 0.97)] {
             let line = Line::new(
                 format!("R_{letter} {name} (106)-(109) {which}"),
                 format!("R_{letter} of the solutions of (106)-(109) as printed, {name} supports, from the {which} edge"),
                 Role::Paper,
             )
-            .stable(radii.stable)
-            .label(&format!("*R*_{{{letter}}} paper (106)-(109)"), label_at);
+            .stable(radii.stable);
+            let label = format!("*R*_{{{letter}}} paper (106)–(109)");
+            // One pair of labels is enough; the dashed curves are the same solutions from the other edge.
+            let line = if radii.edge * end < 0.0 { line.label(&label, label_at) } else { line };
             composer.curve(flat, line, Points::plane(curve.iter().copied()));
         }
     }
@@ -213,8 +215,12 @@ fn cycle(composer: &mut Composer, flat: usize, space: usize, radii: &Radii, name
             format!("radius R_{letter} of the {word} limit cycle with damping [T8], {name} supports"),
             role,
         )
-        .stable(radii.stable)
-        .label(&format!("*R*_{{{letter}}} {word}"), label_at);
+        .stable(radii.stable);
+        let line = match (radii.stable, letter) {
+            (true, _) => line.label(&format!("*R*_{{{letter}}} damped [T8]"), label_at),
+            (false, "B") => line,
+            (false, _) => line.label("unstable [T8]", 0.3),
+        };
         composer.curve(flat, line, Points::plane(curve.iter().copied()));
     }
     let meaning =
