@@ -16,7 +16,12 @@ const PLACES: usize = 8;
 
 /// Opacity of discs of a diameter (at least half a pixel is drawn) at these places, all in pixels of the picture; overlapping discs add up as
 /// layers of paint do. None without points, or if all lie outside of the picture of this size.
-pub fn coverage(points: &[(f64, f64)], diameter: f64, alpha: f64, (width, height): (usize, usize)) -> Option<Coverage> {
+pub fn coverage(
+    points: &[(f64, f64)],
+    diameter: f64,
+    alpha: f64,
+    (width, height): (usize, usize),
+) -> Option<Coverage> {
     let radius = diameter.max(0.5) / 2.0;
     let reach = (radius + 1.0).ceil();
     let inside = |&&(x, y): &&(f64, f64)| {
@@ -30,7 +35,8 @@ pub fn coverage(points: &[(f64, f64)], diameter: f64, alpha: f64, (width, height
         return None;
     }
     let (left, top) = ((left - reach).floor().max(0.0) as usize, (top - reach).floor().max(0.0) as usize);
-    let (right, bottom) = (((right + reach).ceil() as usize).min(width), ((bottom + reach).ceil() as usize).min(height));
+    let (right, bottom) =
+        (((right + reach).ceil() as usize).min(width), ((bottom + reach).ceil() as usize).min(height));
     let (columns, rows) = (right.saturating_sub(left), bottom.saturating_sub(top));
     if columns == 0 || rows == 0 {
         return None;
@@ -71,7 +77,8 @@ fn stamps(radius: f64, side: usize, alpha: f64) -> Vec<Vec<f32>> {
     let reach = (side / 2) as f64;
     (0..PLACES * PLACES)
         .map(|place| {
-            let middle = [(place % PLACES) as f64, (place / PLACES) as f64].map(|part| part / PLACES as f64 + reach);
+            let middle =
+                [(place % PLACES) as f64, (place / PLACES) as f64].map(|part| part / PLACES as f64 + reach);
             (0..side * side)
                 .map(|pixel| {
                     let corner = [(pixel % side) as f64, (pixel / side) as f64];

@@ -86,9 +86,10 @@ fn draw_frame<S: Surface>(
 ) -> Result<FrameMap, ChartError> {
     let frame = &drawing.frames[index];
     let mut crowd = Crowd::new(panel.cell);
-    let solid = frame.z.as_ref().map(|z| {
-        Projection::new([&frame.x, &frame.y, z], &panel.plot, panel.sizes.tick, view)
-    });
+    let solid = frame
+        .z
+        .as_ref()
+        .map(|z| Projection::new([&frame.x, &frame.y, z], &panel.plot, panel.sizes.tick, view));
     let anchors = if let Some(projection) = &solid {
         draw_box(painter, frame, panel, projection, theme)?;
         draw_solid(painter, own, projection, theme, &mut crowd)?

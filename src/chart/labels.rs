@@ -13,6 +13,10 @@ const GAPS: [f64; 4] = [3.5, 8.0, 16.0, 28.0];
 const LEADER_FROM: f64 = 14.0;
 /// Cost of a label over another, or over the edge: never worth it.
 const FORBIDDEN: f64 = 1e4;
+/// Cost of a pixel away from where the label is wanted.
+const NEARNESS: f64 = 0.12;
+/// Cost of a cell of ink under the label.
+const INK: f64 = 5.0;
 /// Sizes that are tried, over the wanted one.
 const SHRINKS: [f64; 3] = [1.0, 0.9, 0.8];
 
@@ -76,7 +80,8 @@ impl Crowd {
     pub fn add_line(&mut self, points: &[[f64; 2]]) {
         for pair in points.windows(2) {
             let (from, to) = (pair[0], pair[1]);
-            let steps = ((to[0] - from[0]).hypot(to[1] - from[1]) / (0.6 * CELL)).ceil().clamp(1.0, 1e4) as usize;
+            let steps =
+                ((to[0] - from[0]).hypot(to[1] - from[1]) / (0.6 * CELL)).ceil().clamp(1.0, 1e4) as usize;
             for step in 0..=steps {
                 let t = step as f64 / steps as f64;
                 self.add_point([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
@@ -160,7 +165,13 @@ pub fn place(requests: &[Request], crowd: &mut Crowd, within: &Rect) -> Vec<Plac
     placed
 }
 
-fn best_place(request: &Request, label: &Label, crowd: &Crowd, sums: &[u32], within: &Rect) -> Option<Candidate> {
+fn best_place(
+    request: &Request,
+    label: &Label,
+    crowd: &Crowd,
+    sums: &[u32],
+    within: &Rect,
+) -> Option<Candidate> {
     let (width, height) = (label.width, label.height());
     if width <= 0.0 {
         return None;
@@ -171,7 +182,7 @@ fn best_place(request: &Request, label: &Label, crowd: &Crowd, sums: &[u32], wit
         let area = Rect::around(candidate.middle, width, height);
         let kept = area.grown(1.5);
         if !fixed {
-            candidate.cost += 2.5 * crowd.ink_in(sums, &kept);
+            candidate.cost += INK * crowd.ink_in(sums, &kept);
             let touches = crowd.boxes.iter().any(|taken| taken.overlaps(&kept));
             if touches || !within.holds(&area.grown(1.0)) {
                 candidate.cost += FORBIDDEN;
@@ -224,43 +235,52 @@ fn beside_mark(center: [f64; 2], radius: f64, width: f64, height: f64) -> Vec<Ca
     found
 }
 
+/// Around points of the curve: above, below, beside and at the four corners. The map of ink keeps the box off the curve itself.
 fn along_curve(pieces: &[Vec<[f64; 2]>], wanted: [f64; 2], width: f64, height: f64) -> Vec<Candidate> {
-    let length: f64 = pieces.iter().flat_map(|piece| piece.windows(2)).map(|pair| distance(pair[0], pair[1])).sum();
-    let step = (length / 90.0).max(5.0);
+    // Above a line is read first, so other sides cost a little more.
+    const SIDES: [([f64; 2], f64); 8] = [
+        ([0.0, -1.0], 0.0),
+        ([0.0, 1.0], 1.5),
+        ([1.0, -1.0], 1.0),
+        ([-1.0, -1.0], 1.0),
+        ([1.0, 1.0], 2.0),
+        ([-1.0, 1.0], 2.0),
+        ([1.0, 0.0], 2.0),
+        ([-1.0, 0.0], 2.0),
+    ];
+    let length: f64 =
+        pieces.iter().flat_map(|piece| piece.windows(2)).map(|pair| distance(pair[0], pair[1])).sum();
+    let step = (length / 120.0).max(4.0);
     let mut found = Vec::new();
+    let mut around = |point: [f64; 2]| {
+        for gap in GAPS {
+            for ([side, rise], cost) in SIDES {
+                // At a corner the box is near enough without the gap to its side.
+                let (beside, over) = if rise == 0.0 { (gap + 1.5, 0.0) } else { (-0.2 * width, gap) };
+                let middle =
+                    [point[0] + side * (beside + width / 2.0), point[1] + rise * (over + height / 2.0)];
+                let from = (gap > LEADER_FROM).then_some(point);
+                found.push(Candidate {
+                    middle,
+                    cost: NEARNESS * distance(point, wanted) + 1.5 * gap + cost,
+                    from,
+                });
+            }
+        }
+    };
     for piece in pieces {
         let mut ahead = 0.0;
         for pair in piece.windows(2) {
             let (from, to) = (pair[0], pair[1]);
             let whole = distance(from, to);
-            if whole <= 0.0 {
-                continue;
-            }
-            let along = [(to[0] - from[0]) / whole, (to[1] - from[1]) / whole];
-            while ahead <= whole {
-                let point = [from[0] + ahead * along[0], from[1] + ahead * along[1]];
-                let away = 0.25 * distance(point, wanted);
-                let reach = along[1].abs() * width / 2.0 + along[0].abs() * height / 2.0;
-                for gap in GAPS {
-                    for side in [1.0, -1.0] {
-                        let off = side * (gap + reach);
-                        // Above a line is read first, so under it costs a little more.
-                        let under = if off * along[0] > 0.0 { 1.5 } else { 0.0 };
-                        let middle = [point[0] - off * along[1], point[1] + off * along[0]];
-                        let from = (gap > LEADER_FROM).then_some(point);
-                        found.push(Candidate { middle, cost: away + 1.2 * gap + under, from });
-                    }
-                }
+            while ahead <= whole && whole > 0.0 {
+                let t = ahead / whole;
+                around([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
                 ahead += step;
             }
             ahead -= whole;
         }
-        // Right behind the end of a line is the plainest place of all.
-        if let [.., before, end] = piece.as_slice() {
-            let side = if end[0] >= before[0] { 1.0 } else { -1.0 };
-            let middle = [end[0] + side * (5.0 + width / 2.0), end[1]];
-            found.push(Candidate { middle, cost: 0.25 * distance(*end, wanted) + 3.0, from: None });
-        }
+        piece.last().into_iter().for_each(|end| around(*end));
     }
     found
 }

@@ -118,7 +118,8 @@ pub fn panels(drawing: &Drawing, width: f64, height: f64) -> Vec<Panel> {
     let arrangement = arrange(drawing, width, height);
     let (columns, rows) = (arrangement.grid.0.max(1), arrangement.grid.1.max(1));
     let sizes = Sizes::for_cell(width / columns as f64);
-    let (gap_x, gap_y) = (if columns > 1 { 1.2 * sizes.tick } else { 0.0 }, if rows > 1 { 0.8 * sizes.tick } else { 0.0 });
+    let (gap_x, gap_y) =
+        (if columns > 1 { 1.2 * sizes.tick } else { 0.0 }, if rows > 1 { 0.8 * sizes.tick } else { 0.0 });
     let cell_width = (width - 2.0 * EDGE - gap_x * (columns - 1) as f64) / columns as f64;
     let cell_height = (height - 2.0 * EDGE - gap_y * (rows - 1) as f64) / rows as f64;
     let cell_of = |place: &[usize; 4]| {
@@ -146,7 +147,8 @@ pub fn panels(drawing: &Drawing, width: f64, height: f64) -> Vec<Panel> {
         if frame.equal_aspect && frame.z.is_none() {
             keep_aspect(frame, panel);
         }
-        for edge in [&mut panel.plot.left, &mut panel.plot.top, &mut panel.plot.right, &mut panel.plot.bottom] {
+        for edge in [&mut panel.plot.left, &mut panel.plot.top, &mut panel.plot.right, &mut panel.plot.bottom]
+        {
             *edge = edge.floor() + 0.5;
         }
     }
@@ -190,9 +192,11 @@ fn margins(frame: &Frame, panel: &Panel) -> [f64; 4] {
     let under = if panel.x_label.runs.is_empty() { 0.0 } else { LABEL_GAP + panel.x_label.height() };
     let bottom = TICK + TICK_GAP + line(sizes.tick) + under;
     let map = panel.map(frame);
-    let overhang = panel.x_ticks.values.last().zip(panel.x_ticks.labels.last()).map_or(0.0, |(value, text)| {
-        map.pixel(*value, frame.y.low)[0] + set(text, sizes.tick, Face::Regular).width / 2.0 - panel.plot.right
-    });
+    let overhang =
+        panel.x_ticks.values.last().zip(panel.x_ticks.labels.last()).map_or(0.0, |(value, text)| {
+            map.pixel(*value, frame.y.low)[0] + set(text, sizes.tick, Face::Regular).width / 2.0
+                - panel.plot.right
+        });
     [left, top, overhang.max(4.0), bottom]
 }
 
@@ -211,7 +215,8 @@ fn settle(drawing: &Drawing, arrangement: &Arrangement, panels: &mut [Panel]) {
             .map(|j| own[j][side])
             .fold(0.0_f64, f64::max)
     };
-    let margins: Vec<[f64; 4]> = (0..panels.len()).map(|i| std::array::from_fn(|side| shared(i, side))).collect();
+    let margins: Vec<[f64; 4]> =
+        (0..panels.len()).map(|i| std::array::from_fn(|side| shared(i, side))).collect();
     for (i, panel) in panels.iter_mut().enumerate() {
         let (frame, [left, top, right, bottom]) = (&drawing.frames[i], margins[i]);
         let sizes = panel.sizes;
@@ -274,9 +279,10 @@ fn keep_aspect(frame: &Frame, panel: &mut Panel) {
     panel.plot = Rect::around(old.center(), wide * scale, high * scale);
     panel.y_label_left += panel.plot.left - old.left;
     if !frame.bare {
-        panel.title_left = panel.title_left.max(panel.plot.left).min(
-            panel.cell.right - panel.title.iter().map(|line| line.width).fold(0.0, f64::max),
-        );
+        panel.title_left = panel
+            .title_left
+            .max(panel.plot.left)
+            .min(panel.cell.right - panel.title.iter().map(|line| line.width).fold(0.0, f64::max));
         panel.x_ticks = across(frame.x.low, frame.x.high, panel.plot.width(), panel.sizes.tick);
         let most = (panel.plot.height() / (2.7 * panel.sizes.tick)) as usize;
         panel.y_ticks = ticks(frame.y.low, frame.y.high, most.clamp(2, 8));

@@ -31,7 +31,8 @@ pub struct Context<'a> {
 /// # Errors
 /// [`ChartError::NotFinite`] or [`ChartError::Malformed`], naming the culprit.
 pub fn check(drawing: &Drawing) -> Result<(), ChartError> {
-    let malformed = |name: &str, fault: &'static str| Err(ChartError::Malformed { name: name.to_owned(), fault });
+    let malformed =
+        |name: &str, fault: &'static str| Err(ChartError::Malformed { name: name.to_owned(), fault });
     for frame in &drawing.frames {
         for axis in [Some(&frame.x), Some(&frame.y), frame.z.as_ref()].into_iter().flatten() {
             if !(axis.high - axis.low).is_finite() {
@@ -158,7 +159,8 @@ fn draw_marks<S: Surface>(
         seen.iter().for_each(|point| crowd.add_point(*point));
         return Ok(());
     }
-    let open = series.stable == Some(false) && matches!(series.role, Role::Exact | Role::Corrected | Role::Paper);
+    let open =
+        series.stable == Some(false) && matches!(series.role, Role::Exact | Role::Corrected | Role::Paper);
     for &center in seen {
         draw_mark(painter, center, look, open, theme)?;
         crowd.add_box(Rect::around(center, 1.7 * look.radius, 1.7 * look.radius));
@@ -246,7 +248,8 @@ pub fn draw_solid<S: Surface>(
     let mut marks: Vec<(f64, usize, [f64; 2])> = Vec::new();
     for (index, series) in all.iter().enumerate() {
         let look = theme.look(series.role, series.stable);
-        let points: Vec<[f64; 3]> = (0..series.x.len()).map(|i| [series.x[i], series.y[i], series.z[i]]).collect();
+        let points: Vec<[f64; 3]> =
+            (0..series.x.len()).map(|i| [series.x[i], series.y[i], series.z[i]]).collect();
         if !points.iter().flat_map(|point| projection.pixel(point)).all(f64::is_finite) {
             return Err(ChartError::NotFinite { name: series.name.clone() });
         }
@@ -266,8 +269,11 @@ pub fn draw_solid<S: Surface>(
                 wanted.filter(|_| !visible.is_empty()).map(|at| Anchor::Curve(visible, projection.pixel(&at)))
             }
             Mark::Cloud => {
-                let seen: Vec<[f64; 2]> =
-                    points.iter().filter(|point| within(point)).map(|point| projection.pixel(point)).collect();
+                let seen: Vec<[f64; 2]> = points
+                    .iter()
+                    .filter(|point| within(point))
+                    .map(|point| projection.pixel(point))
+                    .collect();
                 painter.cloud(&seen, cloud_diameter(series.role), look.stroke, look.opacity)?;
                 None
             }
@@ -287,7 +293,8 @@ pub fn draw_solid<S: Surface>(
         let owner = stretches[start].1;
         let end = start + stretches[start..].iter().take_while(|stretch| stretch.1 == owner).count();
         let look = theme.look(all[owner].role, all[owner].stable);
-        let lines: Vec<Vec<[f64; 2]>> = stretches[start..end].iter().map(|stretch| stretch.2.clone()).collect();
+        let lines: Vec<Vec<[f64; 2]>> =
+            stretches[start..end].iter().map(|stretch| stretch.2.clone()).collect();
         painter.strokes(&lines, look.stroke, look.width, 1.0)?;
         start = end;
     }

@@ -84,6 +84,15 @@ impl WebError {
         }
     }
 
+    /// The same error with the names that are allowed, where they are not those of the parameters.
+    #[must_use]
+    pub fn among(mut self, names: &[&str]) -> Self {
+        if self.code == "unknown-parameter" {
+            self.allowed = Allowed::Text(names.join(", "));
+        }
+        self
+    }
+
     /// A figure that does not exist.
     pub fn unknown_figure(given: Given) -> Self {
         let ids: Vec<&str> = figures::specifications().iter().map(|figure| figure.id).collect();
@@ -321,6 +330,13 @@ impl From<ChartError> for WebError {
                 parameter: Some(name),
                 given: Given::Nothing,
                 allowed: Allowed::Text("finite numbers".into()),
+                message,
+            },
+            ChartError::Malformed { name, fault } => Self {
+                code: "drawing",
+                parameter: Some(name),
+                given: Given::Text(fault.into()),
+                allowed: Allowed::Nothing,
                 message,
             },
         }

@@ -38,12 +38,20 @@ fn parameter_value(name: &str, value: &JsValue) -> Result<Value, WebError> {
             ModelError::NotAChoice { parameter: name.into(), given, allowed: &Regime::NAMES }.into()
         });
     }
-    let Some(info) = info(name) else {
+    number_value(name, value, info(name).map(|info| (info.low, info.high)))
+}
+
+/// A finite number by the name of a parameter or quantity with this range; without a range there is no such name.
+///
+/// # Errors
+/// `unknown-parameter` or `not-a-number`. The range is checked by the model.
+pub fn number_value(name: &str, value: &JsValue, range: Option<(f64, f64)>) -> Result<Value, WebError> {
+    let Some((low, high)) = range else {
         return Err(ModelError::UnknownParameter { name: name.into() }.into());
     };
     value.as_f64().filter(|number| number.is_finite()).map(Value::Number).ok_or_else(|| {
         let given = values::given_words(value);
-        ModelError::NotANumber { parameter: name.into(), given, low: info.low, high: info.high }.into()
+        ModelError::NotANumber { parameter: name.into(), given, low, high }.into()
     })
 }
 
