@@ -242,7 +242,7 @@ export class GearFigure extends HTMLElement {
 
   /** @param {FigureInfo} info */
   #furnish(info) {
-    const { canvas, buttons, data } = this.#parts;
+    const { canvas, buttons } = this.#parts;
     if (info.animated) {
       this.#clock = new Clock(() => requestPaint(this));
       this.#clock.seen = this.inSight;
@@ -265,11 +265,6 @@ export class GearFigure extends HTMLElement {
     buttons.replaceChildren(...made.buttons);
     if (info.animated && !wantsStill()) this.play();
     this.#showPlaying();
-    if (data.querySelector("summary") === null) {
-      const summary = document.createElement("summary");
-      summary.textContent = "In words and numbers";
-      data.append(summary);
-    }
   }
 
   #buildPanel() {
@@ -344,6 +339,7 @@ export class GearFigure extends HTMLElement {
     this.#tabulate();
     // Twenty figures that all speak when the page opens are noise; one that answers its reader is not.
     if (this.#questions > 1) this.#parts.heard.textContent = plain(figure.summary);
+    this.#parts.status.setAttribute("role", "status");
     this.#tell(this.#announced ? "gear-change" : "gear-ready", { figure: figure.id, params: figure.params });
     this.#announced = true;
   }

@@ -24,10 +24,10 @@ canvas.turns { cursor: grab; }
 canvas.turns.grasped { cursor: grabbing; }
 canvas.plane { cursor: crosshair; }
 canvas.handle { cursor: ew-resize; }
-.bar { display: flex; align-items: center; gap: 0.25rem; min-block-size: 2.75rem; }
-.readout { flex: 1; min-inline-size: 0; margin: 0; font-size: 0.875rem; line-height: 1.25; color: var(--quiet, #555);
+.bar { display: grid; grid-template-columns: minmax(0, 1fr) auto; align-items: center; column-gap: 1rem; min-block-size: 2.75rem; }
+.readout { grid-area: 1 / 1; margin: 0; font-size: 0.875rem; line-height: 1.25; color: var(--quiet, #555);
   font-variant-numeric: tabular-nums; max-block-size: 2.5em; overflow: hidden; }
-.buttons { display: flex; gap: 0.25rem; flex: none; }
+.buttons { grid-area: 1 / 2; display: flex; gap: 0.25rem; margin-inline-end: -0.6rem; }
 button { font: inherit; font-size: 0.9375rem; color: inherit; background: none; border: 1px solid transparent; border-radius: 3px;
   padding: 0 0.6rem; min-inline-size: 1.75rem; min-block-size: 1.75rem; cursor: pointer; text-decoration: underline;
   text-decoration-color: var(--rule, #bbb); text-underline-offset: 0.2em; }
@@ -36,27 +36,27 @@ button:hover { text-decoration-color: currentcolor; border-color: var(--rule, #b
 button:disabled { color: var(--quiet, #555); cursor: default; text-decoration: none; border-color: transparent; }
 :focus-visible { outline: 2px solid var(--focus, #0072b2); outline-offset: 2px; }
 canvas:focus-visible { outline-offset: -2px; }
-.status { margin: 0 0 0.25rem; font-size: 0.9375rem; line-height: 1.4; min-block-size: 1.4em; color: var(--quiet, #555); }
+.status { grid-area: 2 / 1 / 2 / 3; margin: 0; font-size: 0.9375rem; line-height: 1.4; min-block-size: 1.4em; color: var(--quiet, #555); text-wrap: pretty; }
 .status.wrong, .complaint { color: var(--wrong, #b33c00); }
 .heard { position: absolute; inline-size: 1px; block-size: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 .controls { display: grid; column-gap: 2rem; grid-template-columns: minmax(0, 1fr); }
-.panel-place { min-block-size: calc(3 * var(--control) + 2.25rem); --control: 5.5rem; }
+.panel-place { --control: 5.5rem; --summary: 2.25rem; min-block-size: calc(3 * var(--control) + var(--summary)); }
 .control { display: grid; grid-template-columns: 2rem minmax(0, 1fr) 5.75rem; grid-template-rows: 2.25rem auto; align-items: center;
   column-gap: 0.5rem; min-block-size: var(--control, 5.5rem); align-content: start; }
 .control.choice { grid-template-columns: auto minmax(0, 1fr); }
 .control label { font-size: 1.125rem; }
 .control sub { font-size: 0.72em; line-height: 0; }
-.help, .complaint { grid-column: 1 / -1; margin: 0; font-size: 0.8125rem; line-height: 1.3; color: var(--quiet, #555); text-wrap: pretty; }
+.help, .complaint { grid-column: 1 / -1; margin: 0.125rem 0 0; font-size: 0.8125rem; line-height: 1.3; color: var(--quiet, #555); text-wrap: pretty; }
 .complaint { color: var(--wrong, #b33c00); }
 .complaint:empty { display: none; }
 .range { white-space: nowrap; }
 .control:has([aria-invalid]) .help { display: none; }
 input, select { font: inherit; font-size: 1rem; color: inherit; accent-color: var(--accent, #0072b2); }
 input[role="spinbutton"], select { inline-size: 100%; min-block-size: 1.875rem; padding: 0 0.4rem; background: var(--ground, #fff);
-  border: 1px solid var(--line, #767676); border-radius: 2px; font-variant-numeric: tabular-nums; }
-input[aria-invalid] { border-color: var(--wrong, #b33c00); outline-color: var(--wrong, #b33c00); }
+  border: 0; border-block-end: 1px solid var(--line, #767676); border-radius: 0; font-variant-numeric: tabular-nums; }
+input[aria-invalid] { border-block-end: 2px solid var(--wrong, #b33c00); }
 input[type="range"] { inline-size: 100%; min-block-size: 1.75rem; margin: 0; background: none; touch-action: pan-y; }
-summary { cursor: pointer; font-size: 0.9375rem; min-block-size: 2.25rem; padding-block: 0.4rem; inline-size: fit-content; padding-inline-end: 0.5rem; }
+summary { cursor: pointer; font-size: 0.9375rem; min-block-size: 2.25rem; line-height: 1.45rem; padding-block: 0.4rem; inline-size: fit-content; padding-inline-end: 0.5rem; }
 .panel > .more > .controls { padding-block-start: 0.5rem; }
 .data > div { max-block-size: 24rem; overflow: auto; }
 table { border-collapse: collapse; font-size: 0.875rem; font-variant-numeric: tabular-nums; margin-block-end: 1rem; }
@@ -65,17 +65,20 @@ th, td { text-align: end; padding: 0.05rem 0.75rem 0.05rem 0; font-weight: 400; 
 th { border-block-end: 1px solid var(--rule, #bbb); }
 .data p { margin: 0 0 0.5rem; font-size: 0.9375rem; max-inline-size: 42rem; }
 @container (inline-size >= 34rem) {
+  .bar > .status { grid-area: 1 / 1; align-self: center; }
+  .bar > .readout:not(:empty) ~ .status { visibility: hidden; }
   .controls { grid-template-columns: repeat(2, minmax(0, 1fr)); }
-  .panel-place { min-block-size: calc(2 * var(--control) + 2.25rem); }
+  .panel-place { min-block-size: calc(2 * var(--control) + var(--summary)); }
 }
 @container (inline-size >= 50rem) {
   .controls { grid-template-columns: repeat(3, minmax(0, 1fr)); }
-  .panel-place { min-block-size: calc(var(--control) + 2.25rem); }
+  .panel-place { min-block-size: calc(var(--control) + var(--summary)); }
 }
 @media (pointer: coarse) {
   button, input[role="spinbutton"], select { min-block-size: 2.75rem; min-inline-size: 2.75rem; }
   input[type="range"] { min-block-size: 2.75rem; }
-  .control { grid-template-rows: 2.75rem auto; --control: 6rem; }
+  .panel-place { --control: 6rem; --summary: 2.75rem; }
+  .control { grid-template-rows: 2.75rem auto; }
   summary { min-block-size: 2.75rem; padding-block: 0.65rem; }
 }
 @media print {
@@ -106,15 +109,17 @@ export function furnish(root) {
   const readout = part("p", "readout");
   const buttons = part("div", "buttons");
   const bar = part("div", "bar");
-  bar.append(readout, buttons);
   const status = part("p", "status");
-  status.setAttribute("role", "status");
+  bar.append(readout, buttons, status);
   const heard = part("p", "heard");
   heard.setAttribute("aria-live", "polite");
   const controls = part("div", "panel-place");
   const data = document.createElement("details");
   data.className = "data";
-  root.append(stage, bar, status, heard, controls, data);
+  const summary = document.createElement("summary");
+  summary.textContent = "In words and numbers";
+  data.append(summary);
+  root.append(stage, bar, heard, controls, data);
   return { stage, canvas, readout, buttons, status, heard, controls, data };
 }
 
