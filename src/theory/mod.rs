@@ -15,6 +15,7 @@ pub mod damped;
 pub mod hill;
 pub mod modes;
 pub mod primary;
+mod roots;
 pub mod tongues;
 
 pub use branches::{Cycle, PeriodTwo, cycles, period_two, period_two_guess};
