@@ -120,7 +120,9 @@ pub fn draw_plane<S: Surface>(
                 None => visible.clone(),
             };
             painter.strokes(&lines, look.stroke, look.width, 1.0)?;
-            visible.iter().for_each(|piece| crowd.add_line(piece));
+            for piece in &visible {
+                crowd.add_line(piece);
+            }
             wanted.filter(|_| !visible.is_empty()).map(|at| Anchor::Curve(visible, at))
         }
         Mark::Filled => {
@@ -140,7 +142,9 @@ pub fn draw_plane<S: Surface>(
             let seen: Vec<[f64; 2]> =
                 pixels.into_iter().filter(|point| context.plot.holds_point(*point, 0.0)).collect();
             painter.cloud(&seen, cloud_diameter(series.role), look.stroke, look.opacity)?;
-            seen.iter().for_each(|point| crowd.add_point(*point));
+            for &point in &seen {
+                crowd.add_point(point);
+            }
             wanted.filter(|_| !seen.is_empty()).map(|at| Anchor::Mark(at, 4.0))
         }
         Mark::Marks => {
@@ -174,7 +178,9 @@ fn draw_marks<S: Surface>(
 ) -> Result<(), ChartError> {
     if series.role == Role::Trajectory {
         painter.cloud(seen, 2.0 * look.radius, look.stroke, 1.0)?;
-        seen.iter().for_each(|point| crowd.add_point(*point));
+        for &point in seen {
+            crowd.add_point(point);
+        }
         return Ok(());
     }
     let open =
