@@ -362,17 +362,18 @@ fn every_answer_is_a_number_over_the_whole_range_of_parameters() {
     let ends = [1e-3, 1.0, 1e6];
     for (m, k) in ends.into_iter().flat_map(|m| ends.map(|k| (m, k))) {
         for (zeta, k0) in [(0.0, 1e-12), (0.0, 1.0), (1e-9, 1.0), (0.02, 0.5), (2.0, 1.0)] {
+            let mut widths = vec![];
+            let all = tongues(&symmetric(m, k, 0.0, zeta, k0, 1.0)).expect("in range");
+            for tongue in [&all.primary2, &all.primary3, &all.combination] {
+                widths.extend([tongue.omega_0, tongue.threshold]);
+                let edges = [tongue.paper, tongue.corrected, tongue.damped, tongue.hill];
+                widths.extend(edges.into_iter().flatten().flat_map(|edges| [edges.left, edges.right]));
+            }
+            assert!(widths.iter().all(|value| value.is_finite()), "{m} {k} {zeta} {k0}: {widths:?}");
             for alpha in [-1e3, 1e-9, 1e3] {
                 for omega in [0.01, 1.0, 100.0] {
                     let point = symmetric(m, k, alpha, zeta, k0, omega);
                     let mut values = vec![];
-                    let all = tongues(&point).expect("in range");
-                    for tongue in [&all.primary2, &all.primary3, &all.combination] {
-                        values.extend([tongue.omega_0, tongue.threshold]);
-                        let edges = [tongue.paper, tongue.corrected, tongue.damped, tongue.hill];
-                        values
-                            .extend(edges.into_iter().flatten().flat_map(|edges| [edges.left, edges.right]));
-                    }
                     for mode in Mode::BOTH {
                         values.extend(period_two_guess(&point, mode).expect("alpha").into_iter().flatten());
                         values.extend(
