@@ -2,11 +2,12 @@
 // folders would serve it. `cargo xtask test` passes the browser and the address; run by hand, the server starts here.
 
 import { defineConfig } from "@playwright/test";
+import { launchOptions } from "./xtask/chromium.js";
 
-const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const given = process.env.GEAR_ADDRESS;
 const port = 8417;
 const prefix = "/some/where/";
+const address = given ?? `http://127.0.0.1:${port}${prefix}`;
 
 export default defineConfig({
   testDir: "tests/browser",
@@ -20,29 +21,12 @@ export default defineConfig({
   reporter: [["list"]],
   use: {
     // Ends with a slash: tests say page.goto("./") and stay under the prefix.
-    baseURL: given ?? `http://127.0.0.1:${port}${prefix}`,
+    baseURL: address,
     trace: "retain-on-failure",
-    launchOptions: {
-      executablePath,
-      args: [
-        // Chromium's sandbox refuses to run as root, which is what build machines are.
-        ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
-        "--disable-background-networking",
-        "--disable-component-update",
-        "--disable-sync",
-        "--disable-quic",
-        "--no-first-run",
-      ],
-    },
+    launchOptions,
   },
   projects: [{ name: "chromium", use: { browserName: "chromium" } }],
-  ...(given
-    ? {}
-    : {
-        webServer: {
-          command: `cargo xtask serve --port ${port} --prefix ${prefix}`,
-          url: `http://127.0.0.1:${port}${prefix}`,
-          timeout: 600_000,
-        },
-      }),
+  webServer: given
+    ? undefined
+    : { command: `cargo xtask serve --port ${port} --prefix ${prefix}`, url: address, timeout: 600_000 },
 });

@@ -33,10 +33,15 @@ pub fn draw_axes<S: Surface>(
     let snap = |pixel: f64| pixel.floor() + 0.5;
     let columns: Vec<f64> =
         panel.x_ticks.values.iter().map(|&value| snap(map.pixel(value, frame.y.low)[0])).collect();
-    let rows: Vec<f64> = panel.y_ticks.values.iter().map(|&value| snap(map.pixel(frame.x.low, value)[1])).collect();
+    let rows: Vec<f64> =
+        panel.y_ticks.values.iter().map(|&value| snap(map.pixel(frame.x.low, value)[1])).collect();
     let mut grid: Vec<Vec<[f64; 2]>> = Vec::new();
-    grid.extend(columns.iter().filter(|&&x| x - plot.left > 1.5).map(|&x| vec![[x, plot.top], [x, plot.bottom]]));
-    grid.extend(rows.iter().filter(|&&y| plot.bottom - y > 1.5).map(|&y| vec![[plot.left, y], [plot.right, y]]));
+    grid.extend(
+        columns.iter().filter(|&&x| x - plot.left > 1.5).map(|&x| vec![[x, plot.top], [x, plot.bottom]]),
+    );
+    grid.extend(
+        rows.iter().filter(|&&y| plot.bottom - y > 1.5).map(|&y| vec![[plot.left, y], [plot.right, y]]),
+    );
     painter.strokes(&grid, theme.grid, GRID_WIDTH, 1.0)?;
     let mut lines = vec![vec![[plot.left, plot.top], [plot.left, plot.bottom], [plot.right, plot.bottom]]];
     lines.extend(columns.iter().map(|&x| vec![[x, plot.bottom], [x, plot.bottom + TICK]]));
@@ -48,10 +53,20 @@ pub fn draw_axes<S: Surface>(
     for (&x, text) in columns.iter().zip(&panel.x_ticks.labels) {
         let number = set(text, sizes.tick, Face::Regular);
         // A minus sign hangs out to the left, so that the digits stand under their tick.
-        let hang = if text.starts_with('\u{2212}') { set("\u{2212}", sizes.tick, Face::Regular).width / 4.0 } else { 0.0 };
+        let hang = if text.starts_with('\u{2212}') {
+            set("\u{2212}", sizes.tick, Face::Regular).width / 4.0
+        } else {
+            0.0
+        };
         painter.label(&number, [x - hang, number_line], Align::Middle, theme.quiet, None)?;
     }
+    let mut last = f64::INFINITY;
     for (&y, text) in rows.iter().zip(&panel.y_ticks.labels) {
+        // In a very low plot not every number finds its line.
+        if last - y < sizes.tick {
+            continue;
+        }
+        last = y;
         let number = set(text, sizes.tick, Face::Regular);
         let at = [plot.left - TICK - TICK_GAP, y + cap / 2.0];
         painter.label(&number, at, Align::Right, theme.quiet, None)?;
@@ -76,9 +91,12 @@ pub fn draw_axes<S: Surface>(
             let at = [panel.y_label_left, center + 0.3 * sizes.label];
             painter.label(label, at, Align::Left, theme.ink, None)
         }
-        SideLabel::Upwards(label) => {
-            painter.label_upwards(label, [panel.y_label_left + label.ascent, center], Align::Middle, theme.ink)
-        }
+        SideLabel::Upwards(label) => painter.label_upwards(
+            label,
+            [panel.y_label_left + label.ascent, center],
+            Align::Middle,
+            theme.ink,
+        ),
     }
 }
 

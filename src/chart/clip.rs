@@ -28,7 +28,11 @@ pub fn clip_segment<const N: usize>(
 }
 
 /// The pieces of a polyline that lie within the box; a lone touching point is no piece.
-pub fn clip_polyline<const N: usize>(points: &[[f64; N]], low: &[f64; N], high: &[f64; N]) -> Vec<Vec<[f64; N]>> {
+pub fn clip_polyline<const N: usize>(
+    points: &[[f64; N]],
+    low: &[f64; N],
+    high: &[f64; N],
+) -> Vec<Vec<[f64; N]>> {
     let mut pieces: Vec<Vec<[f64; N]>> = Vec::new();
     let mut open = false;
     for pair in points.windows(2) {

@@ -5,7 +5,8 @@ const COLUMNS_PER_PIXEL: f64 = 3.0;
 
 /// Whether the first coordinates never turn back (rising, or falling).
 pub fn is_monotone(points: &[[f64; 2]]) -> bool {
-    points.windows(2).all(|pair| pair[0][0] <= pair[1][0]) || points.windows(2).all(|pair| pair[0][0] >= pair[1][0])
+    points.windows(2).all(|pair| pair[0][0] <= pair[1][0])
+        || points.windows(2).all(|pair| pair[0][0] >= pair[1][0])
 }
 
 /// Thins a curve over a monotone first coordinate, in pixels: of the points in each narrow column the first, the lowest,
@@ -81,7 +82,8 @@ mod tests {
     fn short_and_turning_curves_are_left_alone() {
         let short = wave(500);
         assert_eq!(decimate(&short), short);
-        let circle: Vec<[f64; 2]> = (0..50_000).map(|i| [(f64::from(i)).cos(), (f64::from(i)).sin()]).collect();
+        let circle: Vec<[f64; 2]> =
+            (0..50_000).map(|i| [(f64::from(i)).cos(), (f64::from(i)).sin()]).collect();
         assert_eq!(decimate(&circle), circle);
         assert!(decimate(&[]).is_empty());
     }

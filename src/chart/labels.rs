@@ -11,8 +11,14 @@ const CELL: f64 = 3.0;
 const GAPS: [f64; 4] = [3.5, 8.0, 16.0, 28.0];
 /// From this gap on a thin line leads from the label to what it names, CSS pixels.
 const LEADER_FROM: f64 = 14.0;
+/// Width of a plot that counts as small, CSS pixels.
+const SMALL: f64 = 320.0;
 /// Cost of a label over another, or over the edge: never worth it.
 const FORBIDDEN: f64 = 1e4;
+/// Cost of a pixel away from where the label is wanted.
+const NEARNESS: f64 = 0.12;
+/// Cost of a cell of ink under the label.
+const INK: f64 = 5.0;
 /// Sizes that are tried, over the wanted one.
 const SHRINKS: [f64; 3] = [1.0, 0.9, 0.8];
 
@@ -51,6 +57,8 @@ pub struct Placed {
     pub at: [f64; 2],
     /// Colour.
     pub color: Color,
+    /// Colour of the rim about its letters.
+    pub ground: Color,
     /// A thin line to what it names.
     pub leader: Option<([f64; 2], [f64; 2])>,
 }
@@ -62,21 +70,34 @@ pub struct Crowd {
     rows: usize,
     ink: Vec<bool>,
     boxes: Vec<Rect>,
+    words: Vec<Rect>,
+    ground: Color,
+    areas: Vec<(Vec<[f64; 2]>, Color)>,
 }
 
 impl Crowd {
-    /// An empty area.
-    pub fn new(area: Rect) -> Self {
+    /// An empty area of this ground.
+    pub fn new(area: Rect, ground: Color) -> Self {
         let count = |length: f64| (length / CELL).ceil().max(1.0) as usize;
         let (columns, rows) = (count(area.width()), count(area.height()));
-        Self { area, columns, rows, ink: vec![false; columns * rows], boxes: Vec::new() }
+        Self {
+            area,
+            columns,
+            rows,
+            ink: vec![false; columns * rows],
+            boxes: Vec::new(),
+            words: Vec::new(),
+            ground,
+            areas: Vec::new(),
+        }
     }
 
     /// Notes a polyline.
     pub fn add_line(&mut self, points: &[[f64; 2]]) {
         for pair in points.windows(2) {
             let (from, to) = (pair[0], pair[1]);
-            let steps = ((to[0] - from[0]).hypot(to[1] - from[1]) / (0.6 * CELL)).ceil().clamp(1.0, 1e4) as usize;
+            let steps =
+                ((to[0] - from[0]).hypot(to[1] - from[1]) / (0.6 * CELL)).ceil().clamp(1.0, 1e4) as usize;
             for step in 0..=steps {
                 let t = step as f64 / steps as f64;
                 self.add_point([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
@@ -90,6 +111,17 @@ impl Crowd {
         if x >= 0.0 && y >= 0.0 && (x as usize) < self.columns && (y as usize) < self.rows {
             self.ink[y as usize * self.columns + x as usize] = true;
         }
+    }
+
+    /// Notes an area that is filled with a colour, over what was there.
+    pub fn add_area(&mut self, corners: Vec<[f64; 2]>, color: Color) {
+        self.areas.push((corners, color));
+    }
+
+    /// The colour a label at this point is written on.
+    fn ground_at(&self, point: [f64; 2]) -> Color {
+        let found = self.areas.iter().rev().find(|(corners, _)| within_polygon(corners, point));
+        found.map_or(self.ground, |(_, color)| *color)
     }
 
     /// Notes a box that no label may touch.
@@ -150,30 +182,52 @@ pub fn place(requests: &[Request], crowd: &mut Crowd, within: &Rect) -> Vec<Plac
                 continue;
             };
             let area = Rect::around(best.middle, label.width, label.height());
-            crowd.add_box(area);
+            crowd.words.push(area);
             let at = [area.left, area.top + label.ascent];
             let leader = best.from.map(|from| (from, nearest(&area.grown(1.5), from)));
-            placed.push(Placed { label, at, color: request.color, leader });
+            placed.push(Placed {
+                label,
+                at,
+                color: request.color,
+                ground: crowd.ground_at(best.middle),
+                leader,
+            });
             break;
         }
     }
     placed
 }
 
-fn best_place(request: &Request, label: &Label, crowd: &Crowd, sums: &[u32], within: &Rect) -> Option<Candidate> {
+fn best_place(
+    request: &Request,
+    label: &Label,
+    crowd: &Crowd,
+    sums: &[u32],
+    within: &Rect,
+) -> Option<Candidate> {
     let (width, height) = (label.width, label.height());
     if width <= 0.0 {
         return None;
     }
     let fixed = matches!(request.anchor, Anchor::Place(_));
+    // In a small plot a label across several lines hides what it should explain.
+    let most_ink =
+        if within.width() < SMALL && matches!(request.anchor, Anchor::Curve(..)) { 8.0 } else { f64::MAX };
     let mut best: Option<Candidate> = None;
     for mut candidate in candidates(&request.anchor, width, height, within) {
         let area = Rect::around(candidate.middle, width, height);
         let kept = area.grown(1.5);
-        if !fixed {
-            candidate.cost += 2.5 * crowd.ink_in(sums, &kept);
-            let touches = crowd.boxes.iter().any(|taken| taken.overlaps(&kept));
-            if touches || !within.holds(&area.grown(1.0)) {
+        if fixed {
+            let over = crowd.words.iter().any(|taken| taken.grown(-1.0).overlaps(&area));
+            candidate.cost += if over { FORBIDDEN } else { 0.0 };
+        } else {
+            let ink = crowd.ink_in(sums, &kept);
+            candidate.cost += INK * ink;
+            // Words side by side would be read as one: they need more room to their sides.
+            let apart = Rect { left: kept.left - 8.0, right: kept.right + 8.0, ..kept };
+            let touches = crowd.boxes.iter().any(|taken| taken.overlaps(&kept))
+                || crowd.words.iter().any(|taken| taken.overlaps(&apart));
+            if touches || ink > most_ink || !within.holds(&area.grown(2.0)) {
                 candidate.cost += FORBIDDEN;
             }
         }
@@ -224,43 +278,52 @@ fn beside_mark(center: [f64; 2], radius: f64, width: f64, height: f64) -> Vec<Ca
     found
 }
 
+/// Around points of the curve: above, below, beside and at the four corners. The map of ink keeps the box off the curve itself.
 fn along_curve(pieces: &[Vec<[f64; 2]>], wanted: [f64; 2], width: f64, height: f64) -> Vec<Candidate> {
-    let length: f64 = pieces.iter().flat_map(|piece| piece.windows(2)).map(|pair| distance(pair[0], pair[1])).sum();
-    let step = (length / 90.0).max(5.0);
+    // Above a line is read first, so other sides cost a little more.
+    const SIDES: [([f64; 2], f64); 8] = [
+        ([0.0, -1.0], 0.0),
+        ([0.0, 1.0], 1.5),
+        ([1.0, -1.0], 1.0),
+        ([-1.0, -1.0], 1.0),
+        ([1.0, 1.0], 2.0),
+        ([-1.0, 1.0], 2.0),
+        ([1.0, 0.0], 2.0),
+        ([-1.0, 0.0], 2.0),
+    ];
+    let length: f64 =
+        pieces.iter().flat_map(|piece| piece.windows(2)).map(|pair| distance(pair[0], pair[1])).sum();
+    let step = (length / 120.0).max(4.0);
     let mut found = Vec::new();
+    let mut around = |point: [f64; 2]| {
+        for gap in GAPS {
+            for ([side, rise], cost) in SIDES {
+                // At a corner the box is near enough without the gap to its side.
+                let (beside, over) = if rise == 0.0 { (gap + 1.5, 0.0) } else { (-0.2 * width, gap) };
+                let middle =
+                    [point[0] + side * (beside + width / 2.0), point[1] + rise * (over + height / 2.0)];
+                let from = (gap > LEADER_FROM).then_some(point);
+                found.push(Candidate {
+                    middle,
+                    cost: NEARNESS * distance(point, wanted) + 1.5 * gap + cost,
+                    from,
+                });
+            }
+        }
+    };
     for piece in pieces {
         let mut ahead = 0.0;
         for pair in piece.windows(2) {
             let (from, to) = (pair[0], pair[1]);
             let whole = distance(from, to);
-            if whole <= 0.0 {
-                continue;
-            }
-            let along = [(to[0] - from[0]) / whole, (to[1] - from[1]) / whole];
-            while ahead <= whole {
-                let point = [from[0] + ahead * along[0], from[1] + ahead * along[1]];
-                let away = 0.25 * distance(point, wanted);
-                let reach = along[1].abs() * width / 2.0 + along[0].abs() * height / 2.0;
-                for gap in GAPS {
-                    for side in [1.0, -1.0] {
-                        let off = side * (gap + reach);
-                        // Above a line is read first, so under it costs a little more.
-                        let under = if off * along[0] > 0.0 { 1.5 } else { 0.0 };
-                        let middle = [point[0] - off * along[1], point[1] + off * along[0]];
-                        let from = (gap > LEADER_FROM).then_some(point);
-                        found.push(Candidate { middle, cost: away + 1.2 * gap + under, from });
-                    }
-                }
+            while ahead <= whole && whole > 0.0 {
+                let t = ahead / whole;
+                around([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
                 ahead += step;
             }
             ahead -= whole;
         }
-        // Right behind the end of a line is the plainest place of all.
-        if let [.., before, end] = piece.as_slice() {
-            let side = if end[0] >= before[0] { 1.0 } else { -1.0 };
-            let middle = [end[0] + side * (5.0 + width / 2.0), end[1]];
-            found.push(Candidate { middle, cost: 0.25 * distance(*end, wanted) + 3.0, from: None });
-        }
+        piece.last().into_iter().for_each(|end| around(*end));
     }
     found
 }
@@ -283,6 +346,18 @@ fn within_area(area: &Rect, fraction: f64, width: f64, height: f64) -> Vec<Candi
     found
 }
 
+/// Whether a point lies within a polygon: a ray to the right crosses its edges an odd number of times.
+fn within_polygon(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let mut inside = false;
+    for (index, a) in corners.iter().enumerate() {
+        let b = &corners[(index + 1) % corners.len()];
+        if (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
+            inside = !inside;
+        }
+    }
+    inside
+}
+
 fn nearest(area: &Rect, point: [f64; 2]) -> [f64; 2] {
     [point[0].clamp(area.left, area.right), point[1].clamp(area.top, area.bottom)]
 }
@@ -295,6 +370,7 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 mod tests {
     use super::{Anchor, Color, Crowd, Placed, Rect, Request, place};
 
+    const WHITE: Color = Color(255, 255, 255);
     const AREA: Rect = Rect { left: 0.0, top: 0.0, right: 300.0, bottom: 200.0 };
 
     fn request(markup: &str, anchor: Anchor) -> Request {
@@ -310,7 +386,7 @@ mod tests {
     fn labels_of_many_curves_keep_clear_of_each_other_and_the_lines() {
         let lines: Vec<Vec<[f64; 2]>> =
             (1..6).map(|i| (0..=30).map(|j| [f64::from(j) * 10.0, f64::from(i) * 32.0]).collect()).collect();
-        let mut crowd = Crowd::new(AREA);
+        let mut crowd = Crowd::new(AREA, WHITE);
         lines.iter().for_each(|line| crowd.add_line(line));
         let requests: Vec<Request> = lines
             .iter()
@@ -331,7 +407,7 @@ mod tests {
 
     #[test]
     fn a_mark_is_not_covered_by_its_name() {
-        let mut crowd = Crowd::new(AREA);
+        let mut crowd = Crowd::new(AREA, WHITE);
         let mark = Rect::around([150.0, 100.0], 14.0, 14.0);
         crowd.add_box(mark);
         let placed = place(&[request("Ω", Anchor::Mark([150.0, 100.0], 7.0))], &mut crowd, &AREA);
@@ -339,8 +415,18 @@ mod tests {
     }
 
     #[test]
+    fn a_label_on_an_area_has_the_rim_of_that_area() {
+        let mut crowd = Crowd::new(AREA, WHITE);
+        crowd.add_area(vec![[100.0, 50.0], [200.0, 50.0], [150.0, 150.0]], Color(1, 2, 3));
+        let texts =
+            [request("in", Anchor::Place([150.0, 90.0])), request("out", Anchor::Place([50.0, 90.0]))];
+        let placed = place(&texts, &mut crowd, &AREA);
+        assert_eq!((placed[0].ground, placed[1].ground), (Color(1, 2, 3), WHITE));
+    }
+
+    #[test]
     fn a_label_without_room_is_left_out() {
-        let mut crowd = Crowd::new(AREA);
+        let mut crowd = Crowd::new(AREA, WHITE);
         crowd.add_box(AREA);
         assert!(place(&[request("x", Anchor::Area(AREA, 0.5))], &mut crowd, &AREA).is_empty());
     }

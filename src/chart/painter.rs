@@ -74,7 +74,13 @@ impl<'a, S: Surface> Painter<'a, S> {
     ///
     /// # Errors
     /// What the backend fails with.
-    pub fn strokes(&mut self, lines: &[Vec<[f64; 2]>], color: Color, width: f64, alpha: f64) -> Result<(), ChartError> {
+    pub fn strokes(
+        &mut self,
+        lines: &[Vec<[f64; 2]>],
+        color: Color,
+        width: f64,
+        alpha: f64,
+    ) -> Result<(), ChartError> {
         let lines: Vec<Vec<BackendCoord>> =
             lines.iter().map(|line| self.path(line)).filter(|line| line.len() > 1).collect();
         if lines.is_empty() {
@@ -126,7 +132,13 @@ impl<'a, S: Surface> Painter<'a, S> {
     ///
     /// # Errors
     /// What the backend fails with.
-    pub fn circle(&mut self, center: [f64; 2], radius: f64, color: Color, width: f64) -> Result<(), ChartError> {
+    pub fn circle(
+        &mut self,
+        center: [f64; 2],
+        radius: f64,
+        color: Color,
+        width: f64,
+    ) -> Result<(), ChartError> {
         let (at, radius) = (self.at(center), self.length(radius));
         self.surface.draw_circle(at, radius, &self.stroke(color, width, 1.0), false).map_err(failed)
     }
@@ -135,7 +147,13 @@ impl<'a, S: Surface> Painter<'a, S> {
     ///
     /// # Errors
     /// What the backend fails with.
-    pub fn cloud(&mut self, points: &[[f64; 2]], diameter: f64, color: Color, alpha: f64) -> Result<(), ChartError> {
+    pub fn cloud(
+        &mut self,
+        points: &[[f64; 2]],
+        diameter: f64,
+        color: Color,
+        alpha: f64,
+    ) -> Result<(), ChartError> {
         if points.is_empty() {
             return Ok(());
         }

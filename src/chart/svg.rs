@@ -99,7 +99,9 @@ fn number(units: i32) -> String {
     let (whole, part) = (magnitude / UNITS.unsigned_abs(), magnitude % UNITS.unsigned_abs());
     match (part, part % 10) {
         (0, _) => format!("{sign}{whole}"),
-        (_, 0) => format!("{sign}{}.{}", if whole == 0 { String::new() } else { whole.to_string() }, part / 10),
+        (_, 0) => {
+            format!("{sign}{}.{}", if whole == 0 { String::new() } else { whole.to_string() }, part / 10)
+        }
         _ => format!("{sign}{}.{part:02}", if whole == 0 { String::new() } else { whole.to_string() }),
     }
 }
@@ -173,7 +175,8 @@ impl DrawingBackend for SvgSurface {
         fill: bool,
     ) -> Outcome {
         if !fill {
-            return self.draw_path([(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], style);
+            return self
+                .draw_path([(left, top), (right, top), (right, bottom), (left, bottom), (left, top)], style);
         }
         self.element(&format!(
             "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"{}/>",
@@ -186,7 +189,11 @@ impl DrawingBackend for SvgSurface {
         Ok(())
     }
 
-    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, style: &S) -> Outcome {
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Outcome {
         let (color, width) = (style.color(), style.stroke_width());
         if color.alpha <= 0.0 {
             return Ok(());
@@ -220,7 +227,11 @@ impl DrawingBackend for SvgSurface {
         Ok(())
     }
 
-    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, corners: I, style: &S) -> Outcome {
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        corners: I,
+        style: &S,
+    ) -> Outcome {
         let mut data = String::new();
         append(&mut data, corners);
         self.element(&format!("<path d=\"{data}z\"{}/>", paint("fill", style.color())));
@@ -279,7 +290,9 @@ impl Surface for SvgSurface {
         }
         let width = number(cloud.diameter.cast_signed());
         let look = paint("stroke", cloud.color);
-        self.element(&format!("<path d=\"{data}\"{look} stroke-width=\"{width}\" stroke-linecap=\"round\"/>"));
+        self.element(&format!(
+            "<path d=\"{data}\"{look} stroke-width=\"{width}\" stroke-linecap=\"round\"/>"
+        ));
         Ok(())
     }
 
@@ -302,7 +315,9 @@ mod tests {
 
     #[test]
     fn units_become_short_decimals() {
-        for (units, text) in [(0, "0"), (100, "1"), (150, "1.5"), (7, ".07"), (-70, "-.7"), (-1234, "-12.34"), (1203, "12.03")] {
+        for (units, text) in
+            [(0, "0"), (100, "1"), (150, "1.5"), (7, ".07"), (-70, "-.7"), (-1234, "-12.34"), (1203, "12.03")]
+        {
             assert_eq!(number(units), text);
         }
     }
@@ -314,7 +329,10 @@ mod tests {
         surface.draw_path([(0, 0), (100, 50)], &style).unwrap();
         surface.draw_path([(0, 300), (100, 300)], &style).unwrap();
         let text = surface.finish("a < b", "");
-        assert!(text.contains("<path d=\"M0 0l1 .5M0 3h1\" stroke=\"#010203\" stroke-width=\"1.5\"/>"), "{text}");
+        assert!(
+            text.contains("<path d=\"M0 0l1 .5M0 3h1\" stroke=\"#010203\" stroke-width=\"1.5\"/>"),
+            "{text}"
+        );
         assert!(text.contains("<title>a &lt; b</title>") && !text.contains("<desc>"));
     }
 

@@ -78,7 +78,9 @@ pub fn set(markup: &str, size: f64, base: Face) -> Label {
         let is_prime = |letter: &Letter| letter.level == Level::Base && letter.character == '\u{2032}';
         // Primes are runs of their own: a lowered text goes under them.
         let same = |letter: &&Letter| {
-            letter.italic == first.italic && letter.level == first.level && is_prime(letter) == is_prime(&first)
+            letter.italic == first.italic
+                && letter.level == first.level
+                && is_prime(letter) == is_prime(&first)
         };
         let end = index + letters[index..].iter().take_while(same).count();
         let face = if first.italic { Face::Italic } else { base };
@@ -90,6 +92,12 @@ pub fn set(markup: &str, size: f64, base: Face) -> Label {
         let text: String = letters[index..end].iter().map(|letter| letter.character).collect();
         let advance = width(&text, face, font);
         let start = match first.level {
+            // A prime behind a lowered text stands over it, as in print.
+            Level::Base if is_prime(&first) && lowered.is_some() => {
+                let start = pen;
+                pen += advance;
+                start
+            }
             Level::Base => {
                 pen = pen.max(lowered.take().unwrap_or(pen)).max(raised.take().unwrap_or(pen));
                 let start = pen;
@@ -223,6 +231,13 @@ mod tests {
         let label = set("*u*'_{*p*}", 10.0, Face::Regular);
         assert_eq!(label.runs[1].text, "\u{2032}");
         assert_eq!(label.runs[1].x, label.runs[2].x);
+    }
+
+    #[test]
+    fn a_prime_behind_a_subscript_goes_over_it() {
+        let label = set("*u*_{*p*}' x", 10.0, Face::Regular);
+        assert_eq!(label.runs[1].x, label.runs[2].x);
+        assert!(label.runs[3].x > label.runs[2].x + 3.0);
     }
 
     #[test]

@@ -19,7 +19,8 @@ impl Color {
     /// The colour laid over a ground with an opacity from 0 to 1.
     #[must_use]
     pub fn over(self, ground: Self, alpha: f64) -> Self {
-        let mix = |top: u8, under: u8| (f64::from(top) * alpha + f64::from(under) * (1.0 - alpha)).round() as u8;
+        let mix =
+            |top: u8, under: u8| (f64::from(top) * alpha + f64::from(under) * (1.0 - alpha)).round() as u8;
         Self(mix(self.0, ground.0), mix(self.1, ground.1), mix(self.2, ground.2))
     }
 
@@ -222,7 +223,7 @@ impl Theme {
             Role::Link => Look { dash: None, radius: 2.5, ..plain(ink, 1.3) },
             Role::Event => mark(self.vermilion, Shape::Cross, 4.5, None),
             Role::IntervalStable => area(self.blue, 0.16),
-            Role::IntervalSaddle => area(self.vermilion, 0.16),
+            Role::IntervalSaddle => area(self.vermilion, 0.14),
             Role::IntervalSpiral => Look { stroke: self.orange.text, ..area(self.orange, 0.24) },
         }
     }
@@ -289,7 +290,11 @@ mod tests {
                 // On an area of its own the label must be read as well.
                 let area = look.fill.over(theme.ground, look.opacity);
                 if look.opacity < 0.5 {
-                    assert!(look.text.contrast(area) >= 4.5, "{name} {role:?} on its area: {}", look.text.contrast(area));
+                    assert!(
+                        look.text.contrast(area) >= 4.5,
+                        "{name} {role:?} on its area: {}",
+                        look.text.contrast(area)
+                    );
                 }
             }
         }

@@ -43,10 +43,15 @@ impl Projection {
         let toward = [cos_e * cos_a, cos_e * sin_a, sin_e];
         let base = SIDES[0].hypot(SIDES[1]);
         let (wide, high) = (base, SIDES[2] * cos_e.abs() + base * sin_e.abs());
-        // Room for numbers and names around the box.
-        let (beside, under) = (3.4 * size, 3.0 * size);
-        let scale = ((plot.width() - 2.0 * beside) / wide).min((plot.height() - 2.0 * under) / high).max(10.0);
-        let center = plot.center();
+        // Room for numbers and names beside and under the box.
+        let free = Rect {
+            left: plot.left + 3.2 * size,
+            top: plot.top + 0.5 * size,
+            right: plot.right - 3.2 * size,
+            bottom: plot.bottom - 3.0 * size,
+        };
+        let scale = (free.width() / wide).min(free.height() / high).max(10.0);
+        let center = free.center();
         let (low, high) = (axes.map(|axis| axis.low), axes.map(|axis| axis.high));
         // One row: factor * direction . (side (value - middle) / (high - low)) + offset.
         let row = |direction: [f64; 3], factor: f64, offset: f64| {
@@ -92,7 +97,8 @@ fn axis_edge(projection: &Projection, axis: usize) -> [[f64; 3]; 2] {
     let mut from = [0.0; 3];
     if axis == 2 {
         // Of the two upright edges of the outline, the one farther left.
-        let corner = |x_near: bool| [projection.wall(0, x_near), projection.wall(1, !x_near), projection.low[2]];
+        let corner =
+            |x_near: bool| [projection.wall(0, x_near), projection.wall(1, !x_near), projection.low[2]];
         let (one, other) = (corner(true), corner(false));
         from = if projection.pixel(&one)[0] <= projection.pixel(&other)[0] { one } else { other };
     } else {
@@ -122,10 +128,10 @@ pub fn draw_box<S: Surface>(
     let axes = [&frame.x, &frame.y, third];
     let found: [Ticks; 3] = std::array::from_fn(|i| {
         let [from, to] = axis_edge(projection, i).map(|end| projection.pixel(&end));
-        let long = (to[0] - from[0]).hypot(to[1] - from[1]);
-        // An axis seen from its end has no room for numbers, only for its two ends' grid.
-        let most = (long / (3.4 * panel.sizes.tick)) as usize;
-        ticks(axes[i].low, axes[i].high, most.clamp(2, 6))
+        // Numbers need their width along a level axis, their height along an upright one.
+        let size = panel.sizes.tick;
+        let room = ((to[0] - from[0]) / (3.6 * size)).hypot((to[1] - from[1]) / (2.2 * size));
+        ticks(axes[i].low, axes[i].high, (room as usize).clamp(2, 6))
     });
     draw_walls(painter, projection, &found, theme)?;
     let mut taken: Vec<Rect> = Vec::new();
@@ -176,7 +182,8 @@ fn draw_axis<S: Surface>(
     if long < 2.5 * sizes.tick {
         return painter.strokes(&lines, theme.axis, AXIS_WIDTH, 1.0);
     }
-    let center = panel.plot.center();
+    let center =
+        projection.pixel(&std::array::from_fn(|i| f64::midpoint(projection.low[i], projection.high[i])));
     let middle = [f64::midpoint(from[0], to[0]), f64::midpoint(from[1], to[1])];
     let mut out = [(to[1] - from[1]) / long, (from[0] - to[0]) / long];
     if out[0] * (middle[0] - center[0]) + out[1] * (middle[1] - center[1]) < 0.0 {
@@ -197,7 +204,7 @@ fn draw_axis<S: Surface>(
         let number = set(text, sizes.tick, Face::Regular);
         let place = beyond(at, TICK + GAP, &number);
         depth = depth.max(out[0].abs() * number.width + out[1].abs() * number.ascent);
-        let area = Rect::around(place, number.width + 4.0, number.ascent + 2.0);
+        let area = Rect::around(place, number.width + 8.0, number.ascent + 2.0);
         if !taken.iter().any(|other| other.overlaps(&area)) {
             taken.push(area);
             numbers.push((number, place));
@@ -239,7 +246,8 @@ mod tests {
     #[test]
     fn the_middle_of_the_data_is_the_middle_of_the_plot() {
         let pixel = seen(0.7, 0.3).pixel(&[1.0, 5.0, 0.0]);
-        assert!((pixel[0] - 200.0).abs() < 1e-9 && (pixel[1] - 150.0).abs() < 1e-9);
+        // The box leaves room for words under it: its middle is a little higher than the plot's.
+        assert!((pixel[0] - 200.0).abs() < 1e-9 && (pixel[1] - 135.0).abs() < 1e-9, "{pixel:?}");
     }
 
     #[test]

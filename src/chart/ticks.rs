@@ -11,10 +11,11 @@ pub struct Ticks {
     pub exponent: i32,
 }
 
-/// Round steps from 1 to 10; the last begins the next decade.
-const STEPS: [f64; 5] = [1.0, 2.0, 2.5, 5.0, 10.0];
+/// Round steps within a decade.
+const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 
-/// Ticks from `low` to `high` in the least round step (1, 2, 2.5 or 5 times a power of ten) that makes at most `most` of them.
+/// Ticks from `low` to `high` in the least round step (1, 2, 2.5 or 5 times a power of ten) that makes at most `most` of them;
+/// if that leaves fewer than two, one step finer.
 pub fn ticks(low: f64, high: f64, most: usize) -> Ticks {
     let most = most.max(2) as f64;
     let span = high - low;
@@ -22,25 +23,32 @@ pub fn ticks(low: f64, high: f64, most: usize) -> Ticks {
         return Ticks::default();
     }
     let decade = (span / most).log10().floor() as i32;
-    for power in [decade, decade + 1] {
-        for &digit in &STEPS {
-            if digit == 10.0 {
-                continue;
-            }
-            // The tick's number counts; it is scaled last, so that 3 * 0.1 is written 0.3 and stands there.
+    let mut finer = Ticks::default();
+    for power in [decade - 1, decade, decade + 1] {
+        for digit in STEPS {
             let step = digit * 10_f64.powi(power);
             let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());
-            if last - first + 1.0 <= most {
-                return written(first, last, digit, power);
+            let count = last - first + 1.0;
+            if count > 2.0 * most + 4.0 {
+                continue;
             }
+            let found = written(first, last, digit, power);
+            if count < 2.0 {
+                return if finer.values.is_empty() { found } else { finer };
+            }
+            if count <= most {
+                return found;
+            }
+            finer = found;
         }
     }
-    Ticks::default()
+    finer
 }
 
 fn written(first: f64, last: f64, digit: f64, power: i32) -> Ticks {
     let count = (last - first).max(-1.0) as usize + usize::from(last >= first);
     let step = digit * 10_f64.powi(power);
+    // The tick's number counts and is scaled last: the third of 0.1 is 0.3 and no neighbour of it.
     let value = |index: usize| (first + index as f64) * step;
     let largest = (first.abs().max(last.abs())) * step;
     let magnitude = if largest > 0.0 { largest.log10().floor() as i32 } else { 0 };
@@ -63,7 +71,7 @@ mod tests {
     #[test]
     fn round_and_within() {
         let found = ticks(-0.613, 0.6, 6);
-assert_eq!(found.labels, ["\u{2212}0.50", "\u{2212}0.25", "0.00", "0.25", "0.50"]);
+        assert_eq!(found.labels, ["\u{2212}0.50", "\u{2212}0.25", "0.00", "0.25", "0.50"]);
         assert!(found.values.iter().all(|value| (-0.613..=0.6).contains(value)));
     }
 
@@ -85,14 +93,19 @@ assert_eq!(found.labels, ["\u{2212}0.50", "\u{2212}0.25", "0.00", "0.25", "0.50"
     #[test]
     fn very_large_and_small_numbers_share_a_power_of_ten() {
         let large = ticks(0.0, 3e6, 4);
-        assert_eq!((large.exponent, large.labels.clone()), (6, vec!["0".into(), "1".into(), "2".into(), "3".into()]));
+        assert_eq!(
+            (large.exponent, large.labels.clone()),
+            (6, vec!["0".into(), "1".into(), "2".into(), "3".into()])
+        );
         let small = ticks(-2e-7, 2e-7, 5);
         assert_eq!((small.exponent, small.labels[0].as_str()), (-7, "\u{2212}2"));
     }
 
     #[test]
     fn labels_say_the_value_and_never_repeat() {
-        for (low, high, most) in [(0.1, 0.7, 7), (-1e-3, 3.0, 9), (17.3, 17.9, 8), (-5e4, 7e4, 6), (99.9, 100.1, 5)] {
+        for (low, high, most) in
+            [(0.1, 0.7, 7), (-1e-3, 3.0, 9), (17.3, 17.9, 8), (-5e4, 7e4, 6), (99.9, 100.1, 5)]
+        {
             let found = ticks(low, high, most);
             assert!(found.values.len() >= 2, "{low} {high}");
             for (value, label) in found.values.iter().zip(&found.labels) {

@@ -6,8 +6,11 @@
 //! primary tongue the pair meets on the real axis: a saddle. In the combination tongue, at `Omega = omega_2 + omega_3`,
 //! the second mode on its way up meets the third on its way down, and both leave the imaginary direction: a spiral.
 //! The slow flow of a primary tongue is in this frame as it stands; that of the combination tongue, in which mode `j`
-//! turns at `omega_j Omega/Omega_0`, is shifted by `i (omega_j/Omega_0 - 1/2) Omega`. Of the values that differ by `i Omega`
-//! the one is taken that continues its mode from frequency to frequency.
+//! turns at `omega_j Omega/Omega_0`, is shifted by `i (omega_j/Omega_0 - 1/2) Omega`.
+//!
+//! Exact exponents are folded into the strip `|Im lambda| <= Omega/2`, one representative of each: a mode cannot be
+//! followed through all of the range by its name, for where the third mode, folded, meets the second (about
+//! `Omega = omega_3 - omega_2`) the two exchange their characters.
 
 use super::compose::{Composer, Line, Points, axis, even, number, plane};
 use super::job::Figure;
@@ -27,11 +30,15 @@ use crate::theory::{combination, primary};
 type Complex = nalgebra::Complex<f64>;
 
 /// Frequencies at which multipliers are computed before the edges are known.
-const COARSE: usize = 260;
+const COARSE: usize = 300;
 /// Frequencies put between two neighbours that differ in stability.
 const FINE: usize = 12;
 /// Frequencies computed in one slice.
 const SLICE: usize = 64;
+/// Two neighbours whose real parts differ by more than this, over the widest seen, get [`BETWEEN`] more between them.
+const STEEP: f64 = 0.02;
+/// See [`STEEP`].
+const BETWEEN: usize = 4;
 /// Times an edge is halved.
 const HALVINGS: usize = 30;
 /// Tolerance of the multipliers.
@@ -68,6 +75,15 @@ impl Kind {
             Self::Stable => Role::IntervalStable,
             Self::Saddle => Role::IntervalSaddle,
             Self::Spiral => Role::IntervalSpiral,
+        }
+    }
+
+    fn with_article(self, damped: bool) -> &'static str {
+        match self {
+            Self::Stable if damped => "a stable focus",
+            Self::Stable => "a centre",
+            Self::Saddle => "a saddle",
+            Self::Spiral => "an unstable spiral",
         }
     }
 
@@ -186,6 +202,8 @@ impl ExponentPaths {
                         }
                     }
                 }
+                self.refine();
+                self.waiting.sort_by(|one, other| other.total_cmp(one));
                 if self.waiting.is_empty() {
                     self.stage = Stage::Done;
                 }
@@ -193,6 +211,21 @@ impl ExponentPaths {
             Stage::Fine | Stage::Done => self.stage = Stage::Done,
         }
         Ok(())
+    }
+
+    /// Asks for frequencies between neighbours whose exponents are far apart, so that corners are drawn as corners.
+    fn refine(&mut self) {
+        let tracks = self.tracks();
+        let widest = tracks
+            .iter()
+            .flat_map(|track| track.1)
+            .fold(1e-3_f64, |widest, value| widest.max(value.re.abs()));
+        for pair in tracks.windows(2) {
+            let [(before, old), (after, new)] = [pair[0], pair[1]];
+            if (0..4).any(|index| (new[index].re - old[index].re).abs() > STEEP * widest) {
+                self.waiting.extend(even(before, after, BETWEEN + 2).skip(1).take(BETWEEN));
+            }
+        }
     }
 
     /// Where the kind changes between two frequencies.
@@ -253,14 +286,14 @@ impl ExponentPaths {
         })
     }
 
-    /// The exponents unfolded and joined from frequency to frequency.
+    /// The exponents joined from frequency to frequency, without folds: values may leave the strip.
     fn tracks(&self) -> Vec<(f64, [Complex; 4])> {
         let mut samples: Vec<&Sample> = self.samples.iter().collect();
         samples.sort_by(|one, other| one.omega.total_cmp(&other.omega));
         let mut tracks: Vec<(f64, [Complex; 4])> = Vec::with_capacity(samples.len());
         for sample in samples {
             let expected = match tracks.len() {
-                0 => self.far_from_resonance(sample.omega),
+                0 => sample.folded,
                 1 => tracks[0].1,
                 count => {
                     let ((before, old), (now, new)) = (tracks[count - 2], tracks[count - 1]);
@@ -271,21 +304,6 @@ impl ExponentPaths {
             tracks.push((sample.omega, matched(sample, &expected)));
         }
         tracks
-    }
-
-    /// Where the exponents are without resonance: the second mode's pair, then the third's.
-    fn far_from_resonance(&self, omega: f64) -> [Complex; 4] {
-        let symmetric = &self.setting.symmetric;
-        let exponent = |mode: Mode, sign: f64| {
-            let decay = decay_rate(&self.setting.modes, mode, symmetric.zeta, symmetric.zeta_s);
-            Complex::new(-decay, sign * (self.setting.modes.frequency(mode) - 0.5 * omega))
-        };
-        [
-            exponent(Mode::Second, 1.0),
-            exponent(Mode::Second, -1.0),
-            exponent(Mode::Third, 1.0),
-            exponent(Mode::Third, -1.0),
-        ]
     }
 
     /// The picture so far.
@@ -349,17 +367,22 @@ impl ExponentPaths {
             .iter()
             .filter(|interval| interval.2 != Kind::Stable)
             .map(|(low, high, kind)| {
-                format!("{} from {} to {}", kind.name(self.damped()), number(*low, 5), number(*high, 5))
+                format!(
+                    "{} from {} to {}",
+                    kind.with_article(self.damped()),
+                    number(*low, 5),
+                    number(*high, 5)
+                )
             })
             .collect();
         let at_present =
             intervals.iter().find(|(low, high, _)| *low <= omega && omega <= *high).map(|interval| {
-                format!("at Omega = {} it is a {}", number(omega, 5), interval.2.name(self.damped()))
+                format!("at Omega = {} it is {}", number(omega, 5), interval.2.with_article(self.damped()))
             });
         let all = if unstable.is_empty() {
             "Along Omega the origin is stable everywhere".to_owned()
         } else {
-            format!("Along Omega the origin is a {}, and stable elsewhere", unstable.join(", a "))
+            format!("Along Omega the origin is {}, and stable elsewhere", unstable.join(", "))
         };
         match at_present {
             Some(present) => format!("{all}; {present}."),
@@ -384,18 +407,19 @@ impl ExponentPaths {
                     name,
                     title,
                     (column, 0),
-                    axis("Re lambda", "Re *λ*", (-re, re)),
+                    axis("Re lambda", "Re *λ*", (-re, 0.6 * re)),
                     axis("Im lambda", "Im *λ*", (-im, im)),
                 )
             });
             let zero = Line::new(format!("zero {name}"), "where growth turns into decay", Role::Reference);
             composer.curve(frame, zero, Points::plane([(0.0, -im), (0.0, im)]));
-            self.exact(&mut composer, frame, name, tracks, ends);
             self.slow_flow(&mut composer, frame, name, column == 0, ends);
+            Self::exact(&mut composer, frame, name, tracks, ends);
             let here = if column == 0 { omega <= middle } else { omega > middle };
             if let Some(track) = tracks.iter().find(|track| track.0 == omega && here) {
                 let line = Line::new("present exponents", "the exponents at the present Omega", Role::Handle);
-                composer.marks(frame, line, Points::plane(track.1.map(|value| (value.re, value.im))));
+                let folded = |value: Complex| (value.re, value.im - (value.im / omega).round() * omega);
+                composer.marks(frame, line, Points::plane(track.1.map(folded)));
             }
         }
         self.scale(&mut composer, omega);
@@ -415,18 +439,27 @@ impl ExponentPaths {
     }
 
     fn exact(
-        &self,
         composer: &mut Composer,
         frame: usize,
         name: &str,
         tracks: &[(f64, [Complex; 4])],
         ends: (f64, f64),
     ) {
-        let within: Vec<&(f64, [Complex; 4])> =
-            tracks.iter().filter(|track| track.0 >= ends.0 && track.0 <= ends.1).collect();
+        let within: Vec<(f64, [Complex; 4])> =
+            tracks.iter().filter(|track| track.0 >= ends.0 && track.0 <= ends.1).copied().collect();
         for index in 0..4 {
-            let points: Vec<(f64, f64)> =
-                within.iter().map(|track| (track.1[index].re, track.1[index].im)).collect();
+            // A number that is none parts the curve where the fold takes it to the strip's other edge.
+            let mut points: Vec<(f64, f64)> = Vec::new();
+            let mut fold = None;
+            for (omega, values) in &within {
+                let value = values[index];
+                let turns = (value.im / omega).round();
+                if fold.is_some_and(|before| before != turns) {
+                    points.push((f64::NEG_INFINITY, f64::NAN));
+                }
+                fold = Some(turns);
+                points.push((value.re, value.im - turns * omega));
+            }
             let [decaying, growing] = split(&points, |at| points[at].0 <= NO_GROWTH);
             for (points, stable, word) in [(decaying, true, "decaying"), (growing, false, "growing")] {
                 let line = Line::new(
@@ -467,7 +500,7 @@ impl ExponentPaths {
         };
         let edges = |edges: Option<Edges>| edges.map_or_else(Vec::new, |edges| vec![edges.left, edges.right]);
         let (modes, symmetric) = (&self.setting.modes, &self.setting.symmetric);
-        self.flow_curves(
+        Self::flow_curves(
             composer,
             frame,
             &format!("primary {name}"),
@@ -476,7 +509,7 @@ impl ExponentPaths {
             &edges(primary_edges(modes, mode, symmetric)),
             &primary,
         );
-        self.flow_curves(
+        Self::flow_curves(
             composer,
             frame,
             &format!("combination {name}"),
@@ -489,7 +522,6 @@ impl ExponentPaths {
 
     #[allow(clippy::too_many_arguments, reason = "one call draws one flow, all of which it needs")]
     fn flow_curves<E>(
-        &self,
         composer: &mut Composer,
         frame: usize,
         name: &str,

@@ -216,8 +216,8 @@ fn damped(setting: &Setting, supports: Supports, mode: Mode, end: f64) -> Result
                 supports.name(),
                 if last.stable { "stable (nodes or foci)" } else { "unstable (saddles)" }
             ),
-            label: format!("{word}, damped [T7]"),
-            label_at: 0.12,
+            label: "damped [T7]".to_owned(),
+            label_at: 0.08,
             role: Role::Corrected,
             stable: last.stable,
             curve: parabola(edge, end, radius),

@@ -4,9 +4,10 @@
 //! The paper treats its four equations as a flow without giving each mode its own rate; what is printed and what
 //! averaging gives stand side by side.
 
-use nalgebra::{Complex, Matrix4};
+use nalgebra::Complex;
 
 use super::modes::{Amplitudes, Expansion, Mode, Modes, resonant_terms};
+use super::roots::real_roots;
 use crate::error::TheoryError;
 
 /// Mesh frequency `Omega_0` from which the tongue starts, (102) by way of (101): `omega_2 + omega_3`.
@@ -213,7 +214,7 @@ pub struct PrintedSolution {
     pub radius_c: f64,
     /// `z` in `C_1 = z B_1`, `C_2 = -z B_2`.
     pub ratio: f64,
-    /// Whether no eigenvalue of the printed Jacobian there has a real part above rounding.
+    /// Whether no eigenvalue of the printed Jacobian there has a positive real part.
     pub stable: bool,
 }
 
@@ -234,50 +235,23 @@ pub fn printed_solutions(
     }
     let (a, b, k) = (modes.a, modes.b, modes.k);
     let s = modes.spread() * omega_1 / (2.0 * emanating_frequency(modes) * k);
-    let mut found: Vec<PrintedSolution> =
-        real_quartic_roots([-1.0, (2.0 * a + b) * s, 0.0, (a + 2.0 * b) * s])
-            .into_iter()
-            .filter_map(|z| {
-                let square = k * (z + a * s) / (6.0 * alpha * (1.0 + 2.0 * z * z));
-                (square > 0.0).then(|| {
-                    let radius_b = square.sqrt();
-                    let x = [radius_b, 0.0, z * radius_b, 0.0];
-                    let stable = no_growth(jacobian_printed(modes, alpha, omega_1, x));
-                    PrintedSolution { radius_b, radius_c: z.abs() * radius_b, ratio: z, stable }
-                })
-            })
-            .collect();
-    found.sort_by(|one, other| one.ratio.total_cmp(&other.ratio));
-    Ok(found)
-}
-
-/// Real roots of `z^4 + c_3 z^3 + c_2 z^2 + c_1 z + c_0`, from the companion matrix and polished by Newton.
-fn real_quartic_roots(c: [f64; 4]) -> Vec<f64> {
-    let value = |z: f64| (((z + c[3]) * z + c[2]) * z + c[1]) * z + c[0];
-    let slope = |z: f64| ((4.0 * z + 3.0 * c[3]) * z + 2.0 * c[2]) * z + c[1];
-    let companion =
-        Matrix4::new(-c[3], -c[2], -c[1], -c[0], 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0);
-    companion
-        .complex_eigenvalues()
-        .iter()
-        .filter(|root| root.im.abs() < 1e-6 * root.norm().max(1.0))
-        .map(|root| {
-            let mut z = root.re;
-            for _ in 0..4 {
-                let step = value(z) / slope(z);
-                if step.is_finite() && step.abs() < 1e-3 * z.abs().max(1.0) {
-                    z -= step;
+    let roots = real_roots(&[-1.0, (2.0 * a + b) * s, 0.0, (a + 2.0 * b) * s, 1.0]);
+    Ok(roots
+        .into_iter()
+        .filter_map(|z| {
+            let square = k * (z + a * s) / (6.0 * alpha * (1.0 + 2.0 * z * z));
+            // With B_2 = C_2 = 0 the Jacobian couples only cosines with sines; of its squared eigenvalues one is
+            // zero, along the circle, and this with the sign turned is the other.
+            let squared_frequency = k * k * (z - 1.0 / z).powi(2) + 72.0 * alpha * k * z * square;
+            (square > 0.0).then(|| {
+                let radius_b = square.sqrt();
+                PrintedSolution {
+                    radius_b,
+                    radius_c: z.abs() * radius_b,
+                    ratio: z,
+                    stable: squared_frequency > 0.0,
                 }
-            }
-            z
+            })
         })
-        .collect()
-}
-
-/// Whether no eigenvalue has a real part above rounding. A circle of equilibria has a double eigenvalue zero, which
-/// rounding splits by the square root of its unit.
-fn no_growth(jacobian: [[f64; 4]; 4]) -> bool {
-    let matrix = Matrix4::from_fn(|row, column| jacobian[row][column]);
-    let scale = matrix.amax();
-    matrix.complex_eigenvalues().iter().all(|lambda| lambda.re < 1e-6 * scale)
+        .collect())
 }

@@ -169,7 +169,9 @@ impl Allowed {
     fn words(&self) -> String {
         match self {
             Self::Nothing => "something else".into(),
-            Self::Range(low, high) => format!("a number from {} to {}", number_words(*low), number_words(*high)),
+            Self::Range(low, high) => {
+                format!("a number from {} to {}", number_words(*low), number_words(*high))
+            }
             Self::Text(text) => text.clone(),
         }
     }

@@ -1,10 +1,12 @@
 //! The project's own helper: builds the page, serves it, tests it, measures it.
 
+mod bench;
 mod build;
 mod check;
 mod command;
 mod failure;
 mod place;
+mod screens;
 mod serve;
 mod tools;
 
@@ -16,7 +18,10 @@ cargo xtask build [--out FOLDER]        make the static page and the module (def
 cargo xtask serve [--port N]            build, then serve dist/ on 127.0.0.1 (8080 or the next free port)
                   [--prefix /a/b/]      ... under this path, as a host with sub-folders would
                   [--no-build]          ... without building first
-cargo xtask test  [--quick]             all checks and tests; quick: no wasm lints, no documentation, no browser";
+cargo xtask test  [--quick]             all checks and tests; quick: no wasm lints, no documentation, no browser
+cargo xtask bench                       measure natively, in Node and in Chromium; writes docs/benchmarks.md
+cargo xtask goldens                     draw the figures anew into tests/goldens/
+cargo xtask screens                     pictures of the page into docs/screens/";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -47,6 +52,14 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
             serve::serve(&options)
         }
         "test" => check::check(&command::Options::read(rest, &[], &["--quick"])?),
+        "bench" => command::Options::read(rest, &[], &[]).and_then(|_| bench::bench()),
+        "goldens" => {
+            command::Options::read(rest, &[], &[])?;
+            let test =
+                ["test", "--quiet", "--test", "goldens", "every_figure_is_its_golden", "--", "--nocapture"];
+            command::run(command::cargo(&test).env("GOLDENS", "write"))
+        }
+        "screens" => command::Options::read(rest, &[], &[]).and_then(|_| screens::screens()),
         "help" | "--help" | "-h" => {
             println!("{HELP}");
             Ok(())

@@ -1,6 +1,9 @@
 //! Initial-value problems: Taylor series, a Runge-Kutta pair as second opinion, events on their dense output.
 
+pub mod dense;
+mod dop853_coefficients;
 pub mod event;
+pub mod runge_kutta;
 pub mod taylor;
 
 /// A first-order system x' = f(t, x) of N equations.

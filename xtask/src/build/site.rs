@@ -32,6 +32,12 @@ pub fn gather(root: &Path, generated: &Generated) -> Result<Site, Failure> {
             site.copy(&www.join(&name), &format!("www/{name}"))?;
         }
     }
+    // Each figure as a drawing, for readers without scripts and until the live one is there. A test proves that they
+    // are what the library draws today, so that the build need not compile it twice.
+    let drawings = root.join("tests/goldens");
+    for name in place::files_below(&drawings)? {
+        site.copy(&drawings.join(&name), &format!("figures/{name}"))?;
+    }
     Ok(site)
 }
 

@@ -105,9 +105,7 @@ fn tests_in(folder: &str) -> Result<Vec<String>, Failure> {
 fn browser(count: &mut Count) -> Result<(), Failure> {
     let chromium = tools::ensure_chromium()?;
     let prefix = Prefix::new(SUB_PATH).ok_or_else(|| Failure::invalid(SUB_PATH, "no plain path"))?;
-    let server = Server::bind(place::root().join("dist"), prefix, Some(0))?;
-    let address = server.address();
-    std::thread::spawn(move || server.run());
+    let address = Server::bind(place::root().join("dist"), prefix, Some(0))?.in_background();
     let mut playwright = program("npx", &["--no-install", "playwright", "test"]);
     counted(playwright.env("CHROMIUM", chromium).env("GEAR_ADDRESS", address), count::playwright, count)
 }

@@ -7,13 +7,18 @@ use std::path::{Path, PathBuf};
 pub struct Prefix(String);
 
 impl Prefix {
+    /// The root of the server.
+    pub fn root() -> Self {
+        Self("/".to_owned())
+    }
+
     /// From what was typed; slashes at the ends may be left out. Plain names only, so that no decoding is needed.
     pub fn new(given: &str) -> Option<Self> {
         let inner = given.trim_matches('/');
         let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
         let good = |part: &str| !part.is_empty() && !part.starts_with('.') && part.chars().all(plain);
         if inner.is_empty() {
-            return Some(Self("/".to_owned()));
+            return Some(Self::root());
         }
         inner.split('/').all(good).then(|| Self(format!("/{inner}/")))
     }

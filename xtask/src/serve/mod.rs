@@ -47,6 +47,13 @@ impl Server {
         format!("http://127.0.0.1:{port}{}", self.site.prefix.as_str())
     }
 
+    /// Serves in a thread of its own, as long as the process lives; answers the address.
+    pub fn in_background(self) -> String {
+        let address = self.address();
+        std::thread::spawn(move || self.run());
+        address
+    }
+
     /// Serves until the process ends, each connection in a thread of its own.
     pub fn run(self) {
         for stream in self.listener.incoming().flatten() {

@@ -1,0 +1,263 @@
+//! The canvas of a page as a surface: plotters' own canvas backend under a finer coordinate grid.
+//!
+//! The context's transform takes our units to pixels of the backing store, so that whole numbers of units are
+//! fractions of a pixel: curves are smooth and sharp at any density of the screen.
+
+use std::fmt;
+
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
+};
+use plotters_canvas::CanvasBackend;
+use wasm_bindgen::{Clamped, JsCast, JsValue};
+use web_sys::{
+    CanvasRenderingContext2d, HtmlCanvasElement, ImageData, OffscreenCanvas,
+    OffscreenCanvasRenderingContext2d,
+};
+
+use crate::chart::cloud::coverage;
+use crate::chart::metrics::{FAMILY, Face};
+use crate::chart::surface::{Cloud, Lettering, Stroke, Surface, UNITS, plain_size, set_plain};
+use crate::chart::svg::check_size;
+use crate::error::ChartError;
+
+/// A failure of the canvas, in its own words.
+#[derive(Debug)]
+pub struct CanvasFailure(String);
+
+impl fmt::Display for CanvasFailure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for CanvasFailure {}
+
+/// A canvas element as a surface. Its context is left as it was found when the surface is dropped.
+pub struct CanvasSurface {
+    backend: CanvasBackend,
+    context: CanvasRenderingContext2d,
+    /// Pixels of the backing store.
+    store: (u32, u32),
+    /// Pixels of the backing store to a CSS pixel.
+    density: f64,
+}
+
+type Outcome = Result<(), DrawingErrorKind<CanvasFailure>>;
+
+fn failed(error: &JsValue) -> DrawingErrorKind<CanvasFailure> {
+    DrawingErrorKind::DrawingError(CanvasFailure(format!("{error:?}")))
+}
+
+/// Hands on what plotters' backend says, with our failure instead of its own.
+fn passed<E: std::error::Error + Send + Sync>(outcome: Result<(), DrawingErrorKind<E>>) -> Outcome {
+    outcome.map_err(|error| match error {
+        DrawingErrorKind::DrawingError(inner) => {
+            DrawingErrorKind::DrawingError(CanvasFailure(inner.to_string()))
+        }
+        DrawingErrorKind::FontError(inner) => DrawingErrorKind::FontError(inner),
+    })
+}
+
+fn css(color: BackendColor) -> String {
+    let (red, green, blue) = color.rgb;
+    format!("rgba({red},{green},{blue},{})", color.alpha)
+}
+
+impl CanvasSurface {
+    /// Draws on a canvas whose backing store has `density` pixels to a CSS pixel; the caller sets the store's and the element's size.
+    ///
+    /// # Errors
+    /// [`ChartError::NotFinite`] for a density that is no positive number, [`ChartError::Size`] for a picture outside of 120..8192
+    /// CSS pixels a side, [`ChartError::Backend`] for a canvas without a 2-D context.
+    pub fn new(canvas: HtmlCanvasElement, density: f64) -> Result<Self, ChartError> {
+        if !(density.is_finite() && density > 0.0) {
+            return Err(ChartError::NotFinite { name: "density".to_owned() });
+        }
+        let store = (canvas.width(), canvas.height());
+        check_size(f64::from(store.0) / density, f64::from(store.1) / density)?;
+        let none = || ChartError::Backend { message: "the canvas gives no 2-D context".to_owned() };
+        let context = canvas.get_context("2d").ok().flatten().ok_or_else(none)?;
+        let context: CanvasRenderingContext2d = context.dyn_into().map_err(|_| none())?;
+        let backend = CanvasBackend::with_canvas_object(canvas).ok_or_else(none)?;
+        context.save();
+        context.set_line_join("round");
+        context.set_line_cap("butt");
+        let surface = Self { backend, context, store, density };
+        surface.in_units().map_err(|error| ChartError::Backend { message: error.to_string() })?;
+        Ok(surface)
+    }
+
+    /// Lets the context take coordinates in units.
+    fn in_units(&self) -> Outcome {
+        let scale = self.density / f64::from(UNITS);
+        self.context.set_transform(scale, 0.0, 0.0, scale, 0.0, 0.0).map_err(|error| failed(&error))
+    }
+}
+
+impl Drop for CanvasSurface {
+    fn drop(&mut self) {
+        self.context.restore();
+    }
+}
+
+impl DrawingBackend for CanvasSurface {
+    type ErrorType = CanvasFailure;
+
+    fn get_size(&self) -> (u32, u32) {
+        let units = |store: u32| (f64::from(store) / self.density * f64::from(UNITS)).round() as u32;
+        (units(self.store.0), units(self.store.1))
+    }
+
+    fn ensure_prepared(&mut self) -> Outcome {
+        passed(self.backend.ensure_prepared())
+    }
+
+    fn present(&mut self) -> Outcome {
+        passed(self.backend.present())
+    }
+
+    fn draw_pixel(&mut self, point: BackendCoord, color: BackendColor) -> Outcome {
+        passed(self.backend.draw_pixel(point, color))
+    }
+
+    fn draw_line<S: BackendStyle>(&mut self, from: BackendCoord, to: BackendCoord, style: &S) -> Outcome {
+        passed(self.backend.draw_line(from, to, style))
+    }
+
+    fn draw_rect<S: BackendStyle>(
+        &mut self,
+        upper_left: BackendCoord,
+        lower_right: BackendCoord,
+        style: &S,
+        fill: bool,
+    ) -> Outcome {
+        passed(self.backend.draw_rect(upper_left, lower_right, style, fill))
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Outcome {
+        passed(self.backend.draw_path(path, style))
+    }
+
+    fn draw_circle<S: BackendStyle>(
+        &mut self,
+        center: BackendCoord,
+        radius: u32,
+        style: &S,
+        fill: bool,
+    ) -> Outcome {
+        passed(self.backend.draw_circle(center, radius, style, fill))
+    }
+
+    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        corners: I,
+        style: &S,
+    ) -> Outcome {
+        passed(self.backend.fill_polygon(corners, style))
+    }
+
+    fn draw_text<T: BackendTextStyle>(&mut self, text: &str, style: &T, at: BackendCoord) -> Outcome {
+        set_plain(self, text, style, at)
+    }
+
+    fn estimate_text_size<T: BackendTextStyle>(
+        &self,
+        text: &str,
+        style: &T,
+    ) -> Result<(u32, u32), DrawingErrorKind<CanvasFailure>> {
+        Ok(plain_size(text, style))
+    }
+}
+
+impl Surface for CanvasSurface {
+    fn units_per_pixel(&self) -> i32 {
+        UNITS
+    }
+
+    fn lettering(&mut self, lettering: &Lettering<'_>) -> Outcome {
+        let (density, units) = (self.density, f64::from(UNITS));
+        let (x, y) = (f64::from(lettering.at.0) / units, f64::from(lettering.at.1) / units);
+        // Letters are set in CSS pixels: a font of a thousand units scaled down again would be set without care.
+        let turned =
+            if lettering.upwards { [0.0, -density, density, 0.0] } else { [density, 0.0, 0.0, density] };
+        let [a, b, c, d] = turned;
+        let context = &self.context;
+        context.set_transform(a, b, c, d, x * density, y * density).map_err(|error| failed(&error))?;
+        context.set_text_align("left");
+        context.set_text_baseline("alphabetic");
+        context.set_fill_style_str(&css(lettering.color));
+        if let Some(Stroke { color, width }) = lettering.halo {
+            context.set_stroke_style_str(&css(color));
+            context.set_line_width(f64::from(width) / units);
+        }
+        // All rims first: the rim of one run must not eat into its neighbour.
+        for rim in [true, false] {
+            if rim && lettering.halo.is_none() {
+                continue;
+            }
+            for run in lettering.runs {
+                let face = match run.face {
+                    Face::Regular => "",
+                    Face::Italic => "italic ",
+                    Face::Bold => "bold ",
+                };
+                context.set_font(&format!("{face}{}px {FAMILY}", run.size));
+                let set = if rim {
+                    context.stroke_text(&run.text, run.x, run.y)
+                } else {
+                    context.fill_text(&run.text, run.x, run.y)
+                };
+                set.map_err(|error| failed(&error))?;
+            }
+        }
+        self.in_units()
+    }
+
+    fn cloud(&mut self, cloud: &Cloud<'_>) -> Outcome {
+        let scale = self.density / f64::from(UNITS);
+        let points: Vec<(f64, f64)> =
+            cloud.points.iter().map(|&(x, y)| (f64::from(x) * scale, f64::from(y) * scale)).collect();
+        let store = (self.store.0 as usize, self.store.1 as usize);
+        let diameter = f64::from(cloud.diameter) * scale;
+        let Some(image) = coverage(&points, diameter, cloud.color.alpha, store) else {
+            return Ok(());
+        };
+        let (red, green, blue) = cloud.color.rgb;
+        let bytes: Vec<u8> =
+            image.alpha.iter().flat_map(|alpha| [red, green, blue, (alpha * 255.0).round() as u8]).collect();
+        let (width, height) = (image.size.0 as u32, image.size.1 as u32);
+        let js = |error: JsValue| failed(&error);
+        let pixels =
+            ImageData::new_with_u8_clamped_array_and_sh(Clamped(&bytes), width, height).map_err(js)?;
+        // By way of a canvas of its own: pixels put straight onto this one would wipe out what lies under them.
+        let layer = OffscreenCanvas::new(width, height).map_err(js)?;
+        let onto = layer.get_context("2d").map_err(js)?.and_then(|context| context.dyn_into().ok());
+        let onto: OffscreenCanvasRenderingContext2d =
+            onto.ok_or_else(|| failed(&JsValue::from_str("no 2-D context for a cloud of points")))?;
+        onto.put_image_data(&pixels, 0.0, 0.0).map_err(js)?;
+        self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0).map_err(js)?;
+        let (left, top) = (image.origin.0 as f64, image.origin.1 as f64);
+        self.context.draw_image_with_offscreen_canvas(&layer, left, top).map_err(js)?;
+        self.in_units()
+    }
+
+    fn strokes(&mut self, lines: &[Vec<BackendCoord>], stroke: &Stroke) -> Outcome {
+        self.context.set_stroke_style_str(&css(stroke.color));
+        self.context.set_line_width(f64::from(stroke.width));
+        self.context.begin_path();
+        for line in lines {
+            let mut points = line.iter().map(|&(x, y)| (f64::from(x), f64::from(y)));
+            if let Some((x, y)) = points.next() {
+                self.context.move_to(x, y);
+            }
+            points.for_each(|(x, y)| self.context.line_to(x, y));
+        }
+        self.context.stroke();
+        Ok(())
+    }
+}

@@ -1,0 +1,103 @@
+/**
+ * Numbers as readers write and read them, and sentences about those that will not do.
+ *
+ * @typedef {import("../figure/services.js").ParameterInfo} ParameterInfo
+ * @typedef {import("../figure/services.js").GearErrorFields} GearErrorFields
+ * @typedef {import("../engine/gear-bifurcations.js").NumberParameterInfo} NumberInfo
+ * @typedef {{value: number | string} | {problem: GearErrorFields}} Judgement
+ */
+
+import { plain } from "../figure/markup.js";
+
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/**
+ * The number that a text says, or null: nothing is guessed.
+ *
+ * @param {string} text
+ */
+export function parseNumber(text) {
+  const written = text.trim().replace(/^−/, "-").replace(/(e)−/i, "$1-");
+  if (!NUMBER.test(written)) return null;
+  const number = Number(written);
+  return Number.isFinite(number) ? number : null;
+}
+
+/**
+ * A number as text that reads back as the same number.
+ *
+ * @param {number} number
+ */
+export function writeNumber(number) {
+  return String(number);
+}
+
+/**
+ * A number for reading, with a true minus sign.
+ *
+ * @param {number} number
+ */
+export function showNumber(number) {
+  const size = Math.abs(number);
+  const text = size >= 1e6 || (size < 1e-3 && size > 0) ? number.toExponential() : String(number);
+  const [mantissa, exponent] = text.replaceAll("-", "−").split("e");
+  return exponent === undefined ? mantissa : `${mantissa} × 10^${exponent.replace("+", "")}`;
+}
+
+/**
+ * A number with so many decimals as a step can tell apart.
+ *
+ * @param {number} number
+ * @param {number} step
+ */
+export function showTo(number, step) {
+  const decimals = Math.min(12, Math.max(0, Math.ceil(-Math.log10(step))));
+  const text = number.toFixed(decimals);
+  return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
+}
+
+/**
+ * The range of a parameter in words.
+ *
+ * @param {NumberInfo} info
+ */
+export function rangeOf(info) {
+  return `${showRange(info.low)} to ${showRange(info.high)}`;
+}
+
+/** @param {number} number */
+function showRange(number) {
+  const text = Math.abs(number) >= 1e4 ? number.toLocaleString("en").replaceAll(",", "\u202f") : String(number);
+  return text.replace("-", "−");
+}
+
+/**
+ * Whether a text will do as a parameter's value.
+ *
+ * @param {ParameterInfo} info
+ * @param {string} text
+ * @returns {Judgement}
+ */
+export function judge(info, text) {
+  if ("choices" in info) {
+    const word = info.choices.find((choice) => choice === text.trim().toLowerCase());
+    if (word !== undefined) return { value: word };
+    const allowed = info.choices.join(", ");
+    const message = `The ${info.name} is one of ${allowed}; “${text}” was given.`;
+    return { problem: { code: "not-a-choice", parameter: info.name, given: text, allowed, message } };
+  }
+  const symbol = plain(info.symbol);
+  /** @type {[number, number]} */
+  const allowed = [info.low, info.high];
+  const number = parseNumber(text);
+  if (number === null) {
+    const given = text.trim() === "" ? "nothing was given" : `“${text.trim()}” is none`;
+    const message = `${symbol} must be a number from ${rangeOf(info)}; ${given}.`;
+    return { problem: { code: "not-a-number", parameter: info.name, given: text, allowed, message } };
+  }
+  if (number < info.low || number > info.high) {
+    const message = `${symbol} must lie from ${rangeOf(info)}; ${showNumber(number)} was given.`;
+    return { problem: { code: "out-of-range", parameter: info.name, given: number, allowed, message } };
+  }
+  return { value: number };
+}

@@ -1,0 +1,117 @@
+/**
+ * The engine as the rest of the page knows it: workers that compute, and one instance of the module here that
+ * draws and answers what needs no computing.
+ *
+ * @typedef {import("../../gear-bifurcations.js").Gear} Gear
+ * @typedef {import("../../gear-bifurcations.js").Figure} Figure
+ * @typedef {import("../../gear-bifurcations.js").FigureInfo} FigureInfo
+ * @typedef {import("../../gear-bifurcations.js").ParameterInfo} ParameterInfo
+ * @typedef {import("../../gear-bifurcations.js").FrameMap} FrameMap
+ * @typedef {import("../../gear-bifurcations.js").DrawOptions} DrawOptions
+ * @typedef {import("./protocol.js").Given} Given
+ */
+
+/**
+ * @typedef {object} ComputeOptions
+ * @property {AbortSignal} [signal]  Ends the computation; what it still answers is dropped.
+ * @property {number} [priority]  See `PRIORITY` in protocol.js.
+ * @property {(figure: Figure) => void} [partial]  What there is so far.
+ * @property {() => void} [restarted]  The worker died and the computation begins anew in its successor.
+ */
+
+import { GearError, load } from "../../gear-bifurcations.js";
+import { Pool, poolSize } from "./pool.js";
+import { PRIORITY } from "./protocol.js";
+
+export { GearError, PRIORITY };
+
+export class Engine {
+  #gear;
+  #pool;
+  /** What is known of each figure, in the paper's order. @type {ReadonlyMap<string, FigureInfo>} */
+  figures;
+  /** Every parameter there is, full names and short forms. @type {ReadonlyMap<string, ParameterInfo>} */
+  vocabulary;
+
+  /**
+   * @param {Gear} gear
+   * @param {Pool} pool
+   */
+  constructor(gear, pool) {
+    this.#gear = gear;
+    this.#pool = pool;
+    this.figures = new Map(gear.figures().map((info) => [info.id, info]));
+    const parameters = [...gear.defaults(), ...[...this.figures.values()].flatMap((info) => info.parameters)];
+    this.vocabulary = new Map(parameters.map((info) => [info.name, info]));
+  }
+
+  /**
+   * Computes a figure in a worker.
+   *
+   * @param {string} id
+   * @param {Given} given
+   * @param {ComputeOptions} [options]
+   * @returns {Promise<Figure>} rejected with a `GearError`, or with the signal's reason
+   */
+  compute(id, given, { signal, priority = PRIORITY.shown, partial, restarted } = {}) {
+    return new Promise((resolve, reject) => {
+      if (signal?.aborted) {
+        reject(signal.reason);
+        return;
+      }
+      const heavy = this.figures.get(id)?.heavy ?? false;
+      const abandon = () => {
+        this.#pool.cancel(ticket);
+        reject(signal?.reason);
+      };
+      const over = () => signal?.removeEventListener("abort", abandon);
+      const ticket = this.#pool.run(
+        { id, given, heavy, priority },
+        {
+          partial: (figure) => partial?.(figure),
+          restarted: () => restarted?.(),
+          done: (figure) => {
+            over();
+            resolve(figure);
+          },
+          failed: (error) => {
+            over();
+            reject(new GearError(error));
+          },
+        },
+      );
+      signal?.addEventListener("abort", abandon, { once: true });
+    });
+  }
+
+  /**
+   * Draws a computed figure; nothing is computed.
+   *
+   * @param {Figure} figure
+   * @param {HTMLCanvasElement} canvas
+   * @param {DrawOptions} options
+   * @returns {FrameMap[]}
+   */
+  draw(figure, canvas, options) {
+    return this.#gear.draw(figure, undefined, canvas, options).frames;
+  }
+
+  /** What tests need to look at and to break. */
+  get pool() {
+    return this.#pool;
+  }
+}
+
+/**
+ * Starts everything: fetches and compiles the module once, and brings up the workers meanwhile.
+ *
+ * @returns {Promise<Engine>} rejected with a `GearError` of code `load`
+ */
+export async function startEngine() {
+  const loading = load();
+  const pool = new Pool(
+    loading.then((gear) => gear.module),
+    poolSize(navigator.hardwareConcurrency ?? 2),
+  );
+  return new Engine(await loading, pool);
+}

@@ -1,0 +1,242 @@
+/**
+ * The workers: who computes what, and what happens when one of them dies.
+ *
+ * The first worker takes only what is quick, so that a slider answers at once whatever else is going on; the
+ * others take the figures that are computed step by step.
+ *
+ * @typedef {import("./protocol.js").ToWorker} ToWorker
+ * @typedef {import("./protocol.js").FromWorker} FromWorker
+ * @typedef {import("./protocol.js").Figure} Figure
+ * @typedef {import("./protocol.js").GearErrorFields} GearErrorFields
+ * @typedef {import("./protocol.js").Given} Given
+ */
+
+/**
+ * @typedef {object} Wanted
+ * @property {string} id
+ * @property {Given} given
+ * @property {boolean} heavy
+ * @property {number} priority
+ */
+
+/**
+ * @typedef {object} Answers
+ * @property {(figure: Figure) => void} partial
+ * @property {(figure: Figure) => void} done
+ * @property {(error: GearErrorFields) => void} failed
+ * @property {() => void} restarted  The worker died; the computation begins anew in its successor.
+ */
+
+/** @typedef {{wanted: Wanted, answers: Answers, reruns: number}} Task */
+/**
+ * @typedef {object} Seat
+ * @property {Worker} worker
+ * @property {Map<number, Task>} tasks
+ * @property {boolean} ready  The module runs in it.
+ * @property {number} silent  Questions it has not answered.
+ * @property {number} deaths  Workers that died here one after the other without ever being ready.
+ * @property {boolean} closed  Given up; the next computation tries once more.
+ */
+
+/** How often busy workers are asked for a sign of life, ms. */
+const PULSE = 1000;
+/** A busy worker that lets so many of these questions pass is dead. A step takes 15 ms. */
+const PATIENCE = 4;
+/** The same for one that is still starting: its script may come over a slow line. */
+const PATIENCE_AT_START = 60;
+/** A worker that dies so often before it was ever ready will not come up. */
+const HOPELESS = 3;
+
+/** @param {number} cores */
+export function poolSize(cores) {
+  return Math.min(4, Math.max(2, cores));
+}
+
+export class Pool {
+  /** @type {Seat[]} */
+  #seats;
+  /** @type {Promise<WebAssembly.Module>} */
+  #module;
+  /** @type {ReturnType<typeof setInterval> | undefined} */
+  #pulse;
+  #tickets = 0;
+  /** Answers that came for computations nobody waits for any more. */
+  dropped = 0;
+  /** Workers that were replaced. */
+  replaced = 0;
+
+  /**
+   * @param {Promise<WebAssembly.Module>} module
+   * @param {number} size
+   */
+  constructor(module, size) {
+    this.#module = module;
+    this.#seats = Array.from({ length: size }, () => this.#newSeat());
+    for (const seat of this.#seats) this.#open(seat);
+  }
+
+  get size() {
+    return this.#seats.length;
+  }
+
+  /**
+   * @param {Wanted} wanted
+   * @param {Answers} answers
+   * @returns {number} the ticket
+   */
+  run(wanted, answers) {
+    const ticket = ++this.#tickets;
+    const seat = this.#seatFor(wanted.heavy);
+    if (seat.closed) this.#reopen(seat);
+    seat.tasks.set(ticket, { wanted, answers, reruns: 0 });
+    this.#say(seat, { type: "run", ticket, ...wanted });
+    this.#pulse ??= setInterval(() => this.#check(), PULSE);
+    return ticket;
+  }
+
+  /** @param {number} ticket */
+  cancel(ticket) {
+    const seat = this.#seats.find(({ tasks }) => tasks.has(ticket));
+    if (seat === undefined) return;
+    seat.tasks.delete(ticket);
+    this.#say(seat, { type: "cancel", ticket });
+  }
+
+  /**
+   * For tests: makes workers die, by an error that they throw or without a word, as when the system ends them.
+   *
+   * @param {"error" | "silence"} manner
+   */
+  kill(manner) {
+    for (const seat of this.#seats) {
+      if (manner === "error") this.#say(seat, { type: "fail" });
+      else seat.worker.terminate();
+    }
+  }
+
+  /** @param {boolean} heavy */
+  #seatFor(heavy) {
+    const [quick, ...others] = this.#seats;
+    if (!heavy || others.length === 0) return quick;
+    return others.reduce((least, seat) => (seat.tasks.size < least.tasks.size ? seat : least));
+  }
+
+  /** @returns {Seat} */
+  #newSeat() {
+    return { worker: newWorker(), tasks: new Map(), ready: false, silent: 0, deaths: 0, closed: false };
+  }
+
+  /** @param {Seat} seat */
+  #reopen(seat) {
+    seat.worker = newWorker();
+    seat.ready = false;
+    seat.silent = 0;
+    seat.closed = false;
+    this.#open(seat);
+  }
+
+  /** @param {Seat} seat */
+  #open(seat) {
+    const { worker } = seat;
+    worker.onmessage = ({ data }) => {
+      if (seat.worker === worker) this.#hear(seat, data);
+    };
+    worker.onerror = (event) => {
+      // Reported in the figure; the console stays clean.
+      event.preventDefault();
+      if (seat.worker === worker) this.#replace(seat);
+    };
+    worker.onmessageerror = () => {
+      if (seat.worker === worker) this.#replace(seat);
+    };
+    this.#module.then(
+      (module) => {
+        if (seat.worker === worker) worker.postMessage({ type: "start", module });
+      },
+      () => {}, // Whoever asked for the engine is told by its own promise.
+    );
+  }
+
+  /**
+   * @param {Seat} seat
+   * @param {ToWorker} message
+   */
+  #say(seat, message) {
+    seat.worker.postMessage(message);
+  }
+
+  /**
+   * @param {Seat} seat
+   * @param {FromWorker} message
+   */
+  #hear(seat, message) {
+    seat.silent = 0;
+    if (message.type === "ready") {
+      seat.ready = true;
+      seat.deaths = 0;
+    }
+    if (message.type === "ready" || message.type === "pong") return;
+    const task = seat.tasks.get(message.ticket);
+    if (task === undefined) {
+      this.dropped += 1;
+      return;
+    }
+    if (message.type === "partial") {
+      task.answers.partial(message.figure);
+      return;
+    }
+    seat.tasks.delete(message.ticket);
+    if (message.type === "done") task.answers.done(message.figure);
+    else task.answers.failed(message.error);
+  }
+
+  /** Asks busy workers for a sign of life; counts questions, not seconds, because a sleeping page asks rarely. */
+  #check() {
+    let busy = false;
+    for (const seat of this.#seats) {
+      if (seat.tasks.size === 0) continue;
+      busy = true;
+      seat.silent += 1;
+      if (seat.silent > (seat.ready ? PATIENCE : PATIENCE_AT_START)) this.#replace(seat);
+      else if (seat.ready) this.#say(seat, { type: "ping" });
+    }
+    if (!busy) {
+      clearInterval(this.#pulse);
+      this.#pulse = undefined;
+    }
+  }
+
+  /** @param {Seat} seat */
+  #replace(seat) {
+    seat.worker.terminate();
+    seat.deaths += 1;
+    this.replaced += 1;
+    const hopeless = seat.deaths >= HOPELESS;
+    for (const [ticket, task] of [...seat.tasks]) {
+      // What killed two workers will kill a third.
+      if (!hopeless && task.reruns === 0) continue;
+      seat.tasks.delete(ticket);
+      task.answers.failed(deathNotice());
+    }
+    if (hopeless) {
+      seat.closed = true;
+      return;
+    }
+    this.#reopen(seat);
+    for (const [ticket, task] of seat.tasks) {
+      task.reruns += 1;
+      this.#say(seat, { type: "run", ticket, ...task.wanted });
+      task.answers.restarted();
+    }
+  }
+}
+
+function newWorker() {
+  return new Worker(new URL("./worker.js", import.meta.url), { type: "module", name: "gear" });
+}
+
+/** @returns {GearErrorFields} */
+function deathNotice() {
+  const message = "The worker that computes this figure died twice; change a value to try again.";
+  return { code: "internal", parameter: null, given: null, allowed: null, message };
+}

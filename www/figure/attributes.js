@@ -1,0 +1,52 @@
+/**
+ * Parameters from an element's attributes, in any letter case: `omega="1.65"` is `Omega`.
+ *
+ * @typedef {import("./services.js").ParameterInfo} ParameterInfo
+ * @typedef {import("./services.js").GearErrorFields} GearErrorFields
+ */
+
+import { judge } from "../controls/number.js";
+
+/** Attributes that are ours but no parameters, and those that every element of HTML has. */
+const OTHERS = new Set(
+  ("figure controls theme accesskey autocapitalize autofocus class contenteditable dir draggable enterkeyhint exportparts " +
+    "hidden id inert inputmode is itemid itemprop itemref itemscope itemtype lang nonce part popover role slot spellcheck " +
+    "style tabindex title translate").split(" "),
+);
+
+/**
+ * What the attributes give; what is wrong with them is told and left out, the rest applies.
+ *
+ * @param {Iterable<{name: string, value: string}>} attributes
+ * @param {ReadonlyMap<string, ParameterInfo>} vocabulary
+ * @returns {{given: Record<string, number | string>, problems: GearErrorFields[]}}
+ */
+export function givenByAttributes(attributes, vocabulary) {
+  const names = new Map([...vocabulary.keys()].map((name) => [name.toLowerCase(), name]));
+  /** @type {Record<string, number | string>} */
+  const given = {};
+  /** @type {GearErrorFields[]} */
+  const problems = [];
+  for (const { name: attribute, value } of attributes) {
+    if (OTHERS.has(attribute) || attribute.includes("-") || attribute.startsWith("on")) continue;
+    const info = vocabulary.get(names.get(attribute.toLowerCase()) ?? "");
+    if (info === undefined) {
+      problems.push(unknown(attribute, value));
+      continue;
+    }
+    const judgement = judge(info, value);
+    if ("value" in judgement) given[info.name] = judgement.value;
+    else problems.push(judgement.problem);
+  }
+  return { given, problems };
+}
+
+/**
+ * @param {string} name
+ * @param {string} value
+ * @returns {GearErrorFields}
+ */
+function unknown(name, value) {
+  const message = `There is no parameter “${name}”; it was left out.`;
+  return { code: "unknown-parameter", parameter: name, given: value, allowed: null, message };
+}

@@ -1,0 +1,423 @@
+/**
+ * `<gear-figure figure="11a" omega="1.65">`: one live figure. Until its first live drawing stands in the canvas, the
+ * static drawing in its light DOM is shown in the very same place.
+ *
+ * Attributes: `figure`, parameters by name in any letter case, `controls="full|compact|none"`, `theme="light|dark|auto"`.
+ * Methods: `data()`, `map()`, `reset()`, `play()`, `pause()`. Events, bubbling and composed: `gear-ready` when the first
+ * complete figure is there, `gear-change` when one with other parameters is, `gear-error` with the error's fields.
+ *
+ * @typedef {import("./services.js").Services} Services
+ * @typedef {import("./services.js").Figure} Figure
+ * @typedef {import("./services.js").FigureInfo} FigureInfo
+ * @typedef {import("./services.js").FrameMap} FrameMap
+ * @typedef {import("./services.js").Given} Given
+ * @typedef {import("./services.js").GearErrorFields} GearErrorFields
+ * @typedef {import("../controls/panel.js").Panel} Panel
+ */
+
+import { createPanel } from "../controls/panel.js";
+import { density, onAppearance, resolveTheme, wantsStill } from "./appearance.js";
+import { givenByAttributes } from "./attributes.js";
+import { createButtons } from "./bar.js";
+import { Computation } from "./computation.js";
+import { frameAt, pixelUnder } from "./frames.js";
+import { elements, plain } from "./markup.js";
+import { Clock } from "./motion.js";
+import { forgetPaint, requestPaint } from "./paint-queue.js";
+import { watchPointer } from "./pointer.js";
+import { services } from "./services.js";
+import { furnish } from "./shadow.js";
+import { showTables } from "./table.js";
+import { Turning } from "./turning.js";
+
+/** What takes longer than this says that it is being computed, ms. */
+const NOTICEABLE = 400;
+/** A canvas narrower than this is not on the page in earnest, CSS pixels. */
+const NARROWEST = 60;
+/** How far out of sight a figure still counts as seen. */
+const MARGIN = "100px";
+
+let anonymous = 0;
+
+export class GearFigure extends HTMLElement {
+  #parts = furnish(this.attachShadow({ mode: "open" }));
+  /** Where the page's state keeps the parameters. */
+  #key = "";
+  /** @type {Services | null} */
+  #services = null;
+  /** @type {FigureInfo | null} */
+  #info = null;
+  /** @type {Figure | null} */
+  #figure = null;
+  /** @type {FrameMap[]} */
+  #maps = [];
+  /** @type {Panel | null} */
+  #panel = null;
+  /** @type {Turning | null} */
+  #turning = null;
+  /** @type {Clock | null} */
+  #clock = null;
+  #showPlaying = () => {};
+  /** @type {Computation | null} */
+  #computation = null;
+  /** What the attributes gave: to this a reset returns. @type {Given} */
+  #start = {};
+  /** Sentences about attributes that were left out: they stay as long as the attributes do. */
+  #leftOut = "";
+  /** The parameter beside which an answer of the engine complains. @type {string | null} */
+  #blamed = null;
+  #questions = 0;
+  #announced = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #notice;
+  #frame = 0;
+  #life = new AbortController();
+  /** Whether it is on the screen or nearly so. */
+  inSight = false;
+
+  constructor() {
+    super();
+    watchPointer(this.#parts.canvas, {
+      figure: () => this.#figure,
+      maps: () => this.#maps,
+      read: (words) => this.#parts.readout.replaceChildren(words ?? ""),
+      hasParameter: (name) => this.#info?.parameters.some((info) => info.name === name) ?? false,
+      set: (name, value) => this.#set(name, value, true),
+    });
+    this.#parts.data.addEventListener("toggle", () => this.#tabulate());
+  }
+
+  connectedCallback() {
+    this.#life = new AbortController();
+    const { signal } = this.#life;
+    this.#key = this.id || `figure-${(anonymous += 1)}`;
+    this.#reservePlace();
+    const sight = new IntersectionObserver((entries) => this.#see(entries[entries.length - 1].isIntersecting), {
+      rootMargin: MARGIN,
+    });
+    sight.observe(this.#parts.stage);
+    const size = new ResizeObserver(() => this.#repaint());
+    size.observe(this.#parts.stage);
+    const attributes = new MutationObserver((changes) => {
+      if (changes.some(({ attributeName }) => attributeName === "figure")) this.#beginAnew();
+      else this.#readAttributes();
+    });
+    attributes.observe(this, { attributes: true });
+    signal.addEventListener("abort", () => {
+      sight.disconnect();
+      size.disconnect();
+      attributes.disconnect();
+    });
+    services.then(
+      (provided) => {
+        if (!signal.aborted) this.#begin(provided, signal);
+      },
+      (thrown) => {
+        if (!signal.aborted) this.#complain(thrown);
+      },
+    );
+  }
+
+  disconnectedCallback() {
+    this.#life.abort();
+    this.#computation?.stop();
+    this.#clock?.pause();
+    clearTimeout(this.#notice);
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    forgetPaint(this);
+  }
+
+  /**
+   * What is shown, once it is complete: the object that `gear.figure()` returns. Rejects with a `GearError` where the
+   * parameters allow no figure.
+   *
+   * @returns {Promise<Figure>}
+   */
+  async data() {
+    await services;
+    if (this.#frame !== 0) this.#ask();
+    if (this.#computation === null) throw new Error("the figure is not in a document");
+    return this.#computation.answer;
+  }
+
+  /** The map between pixels and data of each frame of the last drawing; null before the first. */
+  map() {
+    return this.#maps.length === 0 ? null : { frames: this.#maps };
+  }
+
+  /** Takes the page's own parameters back, and looks from where it looked at first. */
+  reset() {
+    this.#panel?.complain(null, null);
+    this.#services?.store.give(this.#key, this.#start);
+    this.#panel?.show(this.#start);
+    this.#turning?.press("Home");
+  }
+
+  play() {
+    this.#clock?.play();
+    this.#showPlaying();
+  }
+
+  pause() {
+    this.#clock?.pause();
+    this.#showPlaying();
+  }
+
+  /** Draws now what is known now. */
+  paint() {
+    const { stage, canvas } = this.#parts;
+    if (this.#figure === null || this.#services === null || stage.clientWidth < NARROWEST) return;
+    const theme = resolveTheme(this.getAttribute("theme") ?? this.#services.store.state.theme);
+    const view = { ...this.#turning?.direction, ...(this.#clock && { time: this.#clock.time }) };
+    try {
+      this.#maps = this.#services.engine.draw(this.#figure, canvas, { theme, density: density(), view });
+    } catch (thrown) {
+      this.#complain(thrown);
+      return;
+    }
+    if (stage.classList.contains("live")) return;
+    stage.classList.add("live");
+    this.#services.painted(this);
+    this.#services.later(() => this.#buildPanel());
+  }
+
+  /** Before anything is known of the figure, its static drawing says how much room it takes. */
+  #reservePlace() {
+    const picture = this.querySelector("img");
+    const [width, height] = [Number(picture?.getAttribute("width")), Number(picture?.getAttribute("height"))];
+    if (width > 0 && height > 0) this.#parts.stage.style.setProperty("--aspect", String(width / height));
+    this.#parts.canvas.setAttribute("aria-label", picture?.alt ?? "");
+  }
+
+  #beginAnew() {
+    this.disconnectedCallback();
+    this.#panel = null;
+    this.#parts.controls.replaceChildren();
+    this.#parts.stage.classList.remove("live");
+    this.#figure = null;
+    this.#maps = [];
+    this.#announced = false;
+    this.connectedCallback();
+  }
+
+  /**
+   * @param {Services} provided
+   * @param {AbortSignal} signal
+   */
+  #begin(provided, signal) {
+    this.#services = provided;
+    const { engine, store, priority } = provided;
+    const id = this.getAttribute("figure") ?? "";
+    this.#info = engine.figures.get(id) ?? null;
+    this.#questions = 0;
+    this.#computation = new Computation({
+      heavy: this.#info?.heavy ?? false,
+      compute: (given, { signal: ended, partial }) =>
+        engine.compute(id, given, {
+          signal: ended,
+          partial,
+          priority: this.inSight ? priority.shown : priority.hidden,
+          restarted: () => this.#say("The worker that computed this figure stopped; another has taken over."),
+        }),
+      show: (figure, complete) => this.#show(figure, complete),
+      fail: (error) => this.#complain(error),
+    });
+    if (this.#info === null) {
+      const error = provided.error(unknownFigure(id, engine.figures.keys()));
+      this.#computation.refuse(error);
+      this.#complain(error);
+      return;
+    }
+    this.#parts.stage.style.setProperty("--aspect", String(this.#info.aspect));
+    this.#furnish(this.#info);
+    this.#readAttributes();
+    signal.addEventListener("abort", onAppearance(() => this.#repaint()));
+    const unsubscribe = store.subscribe((state, before) => {
+      if (state.figures[this.#key] !== before.figures[this.#key]) this.#wish();
+      if (state.theme !== before.theme) this.#repaint();
+    });
+    signal.addEventListener("abort", unsubscribe);
+  }
+
+  /** @param {FigureInfo} info */
+  #furnish(info) {
+    const { canvas, buttons } = this.#parts;
+    if (info.animated) {
+      this.#clock = new Clock(() => requestPaint(this));
+      this.#clock.seen = this.inSight;
+      canvas.tabIndex = 0;
+      canvas.onkeydown = (event) => {
+        if (event.key !== " ") return;
+        event.preventDefault();
+        if (this.#clock?.playing) this.pause();
+        else this.play();
+      };
+    }
+    if (info.turnable) {
+      this.#turning ??= new Turning(canvas, {
+        takes: (event) => (frameAt(this.#maps, pixelUnder(event, canvas))?.projection ?? null) !== null,
+        turn: () => this.#repaint(),
+      });
+    }
+    const made = createButtons({ clock: this.#clock, turning: this.#turning, reset: () => this.reset() });
+    this.#showPlaying = made.showPlaying;
+    buttons.replaceChildren(...made.buttons);
+    if (info.animated && !wantsStill()) this.play();
+    this.#showPlaying();
+  }
+
+  #buildPanel() {
+    const extent = this.getAttribute("controls") ?? "full";
+    if (this.#panel !== null || this.#info === null || extent === "none") return;
+    this.#panel = createPanel(this.#info.parameters, this.#given, extent === "compact" ? extent : "full", {
+      change: (name, value) => this.#set(name, value, false),
+      refuse: (problem) => this.#tell("gear-error", problem),
+    });
+    this.#parts.controls.replaceChildren(this.#panel.element);
+  }
+
+  /** The parameters that were given, by name; what is not among them is the figure's own. */
+  get #given() {
+    return this.#services?.store.given(this.#key) ?? {};
+  }
+
+  /**
+   * @param {string} name
+   * @param {number | string} value
+   * @param {boolean} show  Whether the controls have yet to be told.
+   */
+  #set(name, value, show) {
+    const given = { ...this.#given, [name]: value };
+    this.#services?.store.give(this.#key, given);
+    if (show) this.#panel?.show(given);
+  }
+
+  #readAttributes() {
+    if (this.#services === null || this.#info === null) return;
+    const { engine, store } = this.#services;
+    const { given, problems } = givenByAttributes(this.attributes, engine.vocabulary);
+    this.#leftOut = problems.map(({ message }) => message).join(" ");
+    if (this.#questions === 0 || !sameGiven(given, this.#start)) {
+      this.#start = given;
+      store.give(this.#key, given);
+      this.#panel?.show(given);
+      if (this.#questions === 0) this.#ask();
+    }
+    this.#repaint(); // the theme may have changed
+    for (const problem of problems) this.#complain(this.#services.error(problem));
+  }
+
+  /** Asks for the newest parameters once a frame, however many there were. */
+  #wish() {
+    if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#ask());
+  }
+
+  #ask() {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#questions += 1;
+    clearTimeout(this.#notice);
+    this.#notice = setTimeout(() => this.#say("Computing…"), NOTICEABLE);
+    this.#computation?.wish(this.#given);
+  }
+
+  /**
+   * @param {Figure} figure
+   * @param {boolean} complete
+   */
+  #show(figure, complete) {
+    this.#figure = figure;
+    if (this.#clock) this.#clock.motion = figure.motion;
+    this.#repaint();
+    if (!complete) return;
+    clearTimeout(this.#notice);
+    if (this.#blamed !== null) this.#panel?.complain(this.#blamed, null);
+    this.#blamed = null;
+    this.#parts.canvas.setAttribute("aria-label", plain(figure.summary));
+    this.#say(figure.notes.join(" "));
+    this.#tabulate();
+    // Twenty figures that all speak when the page opens are noise; one that answers its reader is not.
+    if (this.#questions > 1) this.#parts.heard.textContent = plain(figure.summary);
+    this.#parts.status.setAttribute("role", "status");
+    this.#tell(this.#announced ? "gear-change" : "gear-ready", { figure: figure.id, params: figure.params });
+    this.#announced = true;
+  }
+
+  /** @param {unknown} thrown */
+  #complain(thrown) {
+    clearTimeout(this.#notice);
+    const fields = fieldsOf(thrown);
+    if (fields.parameter !== null && this.#panel?.complain(fields.parameter, fields.message)) {
+      this.#blamed = fields.parameter;
+    }
+    this.#say(this.#leftOut.includes(fields.message) ? "" : fields.message, true);
+    this.#tell("gear-error", fields);
+  }
+
+  /**
+   * @param {string} markup
+   * @param {boolean} [wrong]
+   */
+  #say(markup, wrong = false) {
+    const { status } = this.#parts;
+    status.replaceChildren(elements(markup));
+    if (this.#leftOut !== "") status.prepend(`${this.#leftOut} `);
+    status.classList.toggle("wrong", wrong || this.#leftOut !== "");
+  }
+
+  #tabulate() {
+    if (this.#parts.data.open && this.#figure !== null) showTables(this.#parts.data, this.#figure);
+  }
+
+  /** @param {boolean} inSight */
+  #see(inSight) {
+    this.inSight = inSight;
+    if (this.#clock) this.#clock.seen = inSight;
+  }
+
+  #repaint() {
+    if (this.#figure !== null) requestPaint(this);
+  }
+
+  /**
+   * @param {string} name
+   * @param {object} detail
+   */
+  #tell(name, detail) {
+    this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
+  }
+}
+
+/**
+ * @param {string} id
+ * @param {Iterable<string>} known
+ * @returns {GearErrorFields}
+ */
+function unknownFigure(id, known) {
+  const allowed = [...known].join(", ");
+  const message = `There is no figure “${id}”; there are ${allowed}.`;
+  return { code: "unknown-figure", parameter: null, given: id, allowed, message };
+}
+
+/**
+ * @param {unknown} thrown
+ * @returns {GearErrorFields}
+ */
+function fieldsOf(thrown) {
+  if (thrown instanceof Error && "code" in thrown && "parameter" in thrown) {
+    const { code, parameter, given, allowed, message } = /** @type {Error & GearErrorFields} */ (thrown);
+    return { code, parameter, given, allowed, message };
+  }
+  const message = thrown instanceof Error ? thrown.message : String(thrown);
+  return { code: "internal", parameter: null, given: null, allowed: null, message };
+}
+
+/**
+ * @param {Given} one
+ * @param {Given} other
+ */
+function sameGiven(one, other) {
+  const names = Object.keys(one);
+  return names.length === Object.keys(other).length && names.every((name) => one[name] === other[name]);
+}

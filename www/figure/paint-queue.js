@@ -1,0 +1,49 @@
+/**
+ * Draws figures in animation frames, those in sight first, and no longer in one frame than the page can spare.
+ *
+ * @typedef {{readonly inSight: boolean, paint(): void}} Painter
+ */
+
+/** Time a frame may spend on drawing before the rest waits for the next one, ms. */
+const BUDGET = 10;
+
+/** @type {Set<Painter>} */
+const waiting = new Set();
+let requested = false;
+
+/** @param {Painter} painter */
+export function requestPaint(painter) {
+  waiting.add(painter);
+  if (!requested) {
+    requested = true;
+    requestAnimationFrame(paintFrame);
+  }
+}
+
+/** @param {Painter} painter */
+export function forgetPaint(painter) {
+  waiting.delete(painter);
+}
+
+/** Draws everything that waits, at once: before the page is printed. */
+export function paintAll() {
+  for (const painter of [...waiting]) {
+    waiting.delete(painter);
+    painter.paint();
+  }
+}
+
+function paintFrame() {
+  requested = false;
+  const start = performance.now();
+  const order = [...waiting].sort((one, other) => Number(other.inSight) - Number(one.inSight));
+  for (const painter of order) {
+    waiting.delete(painter);
+    painter.paint();
+    if (performance.now() - start > BUDGET) break;
+  }
+  if (waiting.size > 0 && !requested) {
+    requested = true;
+    requestAnimationFrame(paintFrame);
+  }
+}

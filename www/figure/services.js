@@ -1,0 +1,60 @@
+/**
+ * What the figures are given by the page: the one place where they learn of engine and state.
+ *
+ * @typedef {import("../engine/gear-bifurcations.js").Figure} Figure
+ * @typedef {import("../engine/gear-bifurcations.js").FigureInfo} FigureInfo
+ * @typedef {import("../engine/gear-bifurcations.js").ParameterInfo} ParameterInfo
+ * @typedef {import("../engine/gear-bifurcations.js").FrameMap} FrameMap
+ * @typedef {import("../engine/gear-bifurcations.js").DrawOptions} DrawOptions
+ * @typedef {import("../engine/gear-bifurcations.js").GearErrorFields} GearErrorFields
+ * @typedef {import("../state.js").Given} Given
+ * @typedef {import("../state.js").State} State
+ */
+
+/**
+ * @typedef {object} ComputeOptions
+ * @property {AbortSignal} signal
+ * @property {number} priority
+ * @property {(figure: Figure) => void} partial
+ * @property {() => void} restarted
+ */
+
+/**
+ * What computes and draws.
+ *
+ * @typedef {object} Engine
+ * @property {ReadonlyMap<string, FigureInfo>} figures
+ * @property {ReadonlyMap<string, ParameterInfo>} vocabulary
+ * @property {(id: string, given: Given, options: ComputeOptions) => Promise<Figure>} compute
+ * @property {(figure: Figure, canvas: HTMLCanvasElement, options: DrawOptions) => FrameMap[]} draw
+ */
+
+/**
+ * The part of the page's state that a figure reads and writes.
+ *
+ * @typedef {object} Store
+ * @property {State} state
+ * @property {(key: string) => Given} given
+ * @property {(key: string, given: Given) => void} give
+ * @property {(subscriber: (state: State, before: State) => void) => () => void} subscribe
+ */
+
+/**
+ * @typedef {object} Services
+ * @property {Engine} engine
+ * @property {Store} store
+ * @property {{shown: number, hidden: number}} priority
+ * @property {(fields: GearErrorFields) => Error & GearErrorFields} error  Makes the error that `data()` rejects with.
+ * @property {(work: () => void) => void} later  Does what can wait until figures are drawn.
+ * @property {(element: HTMLElement) => void} painted  Called when a figure's first live drawing is on its canvas.
+ */
+
+/** @type {(services: Services | PromiseLike<Services>) => void} */
+let provide = () => {};
+
+/** @type {Promise<Services>} */
+export const services = new Promise((resolve) => {
+  provide = resolve;
+});
+
+export { provide };

@@ -1,0 +1,148 @@
+/**
+ * What stands inside a figure's element, and how it looks. Colours come from the page's custom properties.
+ *
+ * @typedef {object} Parts
+ * @property {HTMLElement} stage  Canvas and static drawing, in the very same place.
+ * @property {HTMLCanvasElement} canvas
+ * @property {HTMLElement} readout
+ * @property {HTMLElement} buttons
+ * @property {HTMLElement} status  For the eye.
+ * @property {HTMLElement} heard  For the ear: what a change has led to.
+ * @property {HTMLElement} controls
+ * @property {HTMLDetailsElement} data
+ */
+
+const STYLE = `
+:host { display: block; container-type: inline-size; color: var(--ink, #1a1a1a); }
+:host([hidden]) { display: none; }
+*, ::before, ::after { box-sizing: border-box; }
+.stage { position: relative; aspect-ratio: var(--aspect, 1.7); background: var(--ground, #fff); }
+.stage > canvas { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; display: block; }
+.stage > slot { position: absolute; inset: 0; display: block; }
+.stage.live > slot { display: none; }
+canvas.turns { cursor: grab; }
+canvas.turns.grasped { cursor: grabbing; }
+canvas.plane { cursor: crosshair; }
+canvas.handle { cursor: ew-resize; }
+.bar { display: grid; grid-template-columns: minmax(0, 1fr) auto; align-items: center; column-gap: 1rem; min-block-size: 2.75rem; }
+.readout { grid-area: 1 / 1; margin: 0; font-size: 0.875rem; line-height: 1.25; color: var(--quiet, #555);
+  font-variant-numeric: tabular-nums; max-block-size: 2.5em; overflow: hidden; }
+.buttons { grid-area: 1 / 2; display: flex; gap: 0.25rem; margin-inline-end: -0.6rem; }
+button { font: inherit; font-size: 0.9375rem; color: inherit; background: none; border: 1px solid transparent; border-radius: 3px;
+  padding: 0 0.6rem; min-inline-size: 1.75rem; min-block-size: 1.75rem; cursor: pointer; text-decoration: underline;
+  text-decoration-color: var(--rule, #bbb); text-underline-offset: 0.2em; }
+button.arrow { text-decoration: none; padding: 0 0.2rem; }
+button:hover { text-decoration-color: currentcolor; border-color: var(--rule, #bbb); }
+button:disabled { color: var(--quiet, #555); cursor: default; text-decoration: none; border-color: transparent; }
+:focus-visible { outline: 2px solid var(--focus, #0072b2); outline-offset: 2px; }
+canvas:focus-visible { outline-offset: -2px; }
+.status { grid-area: 2 / 1 / 2 / 3; margin: 0; font-size: 0.9375rem; line-height: 1.4; min-block-size: 1.4em; color: var(--quiet, #555); text-wrap: pretty; }
+.status.wrong, .complaint { color: var(--wrong, #b33c00); }
+.heard { position: absolute; inline-size: 1px; block-size: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+.controls { display: grid; column-gap: 2rem; grid-template-columns: minmax(0, 1fr); }
+.panel-place { --control: 5.5rem; --summary: 2.25rem; min-block-size: calc(3 * var(--control) + var(--summary)); }
+.control { display: grid; grid-template-columns: 2rem minmax(0, 1fr) 5.75rem; grid-template-rows: 2.25rem auto; align-items: center;
+  column-gap: 0.5rem; min-block-size: var(--control, 5.5rem); align-content: start; }
+.control.choice { grid-template-columns: auto minmax(0, 1fr); }
+.control label { font-size: 1.125rem; }
+.control sub { font-size: 0.72em; line-height: 0; }
+.help, .complaint { grid-column: 1 / -1; margin: 0.125rem 0 0; font-size: 0.8125rem; line-height: 1.3; color: var(--quiet, #555); text-wrap: pretty; }
+.complaint { color: var(--wrong, #b33c00); }
+.complaint:empty { display: none; }
+.range { white-space: nowrap; }
+.control:has([aria-invalid]) .help { display: none; }
+input, select { font: inherit; font-size: 1rem; color: inherit; accent-color: var(--accent, #0072b2); }
+input[role="spinbutton"], select { inline-size: 100%; min-block-size: 1.875rem; padding: 0 0.4rem; background: var(--ground, #fff);
+  border: 0; border-block-end: 1px solid var(--line, #767676); border-radius: 0; font-variant-numeric: tabular-nums; }
+input[aria-invalid] { border-block-end: 2px solid var(--wrong, #b33c00); }
+input[type="range"] { inline-size: 100%; min-block-size: 1.75rem; margin: 0; background: none; touch-action: pan-y; }
+summary { cursor: pointer; font-size: 0.9375rem; min-block-size: 2.25rem; line-height: 1.45rem; padding-block: 0.4rem; inline-size: fit-content; padding-inline-end: 0.5rem; }
+.panel > .more > .controls { padding-block-start: 0.5rem; }
+.data > div { max-block-size: 24rem; overflow: auto; }
+table { border-collapse: collapse; font-size: 0.875rem; font-variant-numeric: tabular-nums; margin-block-end: 1rem; }
+caption { text-align: start; padding-block: 0.25rem; color: var(--quiet, #555); }
+th, td { text-align: end; padding: 0.05rem 0.75rem 0.05rem 0; font-weight: 400; }
+th { border-block-end: 1px solid var(--rule, #bbb); }
+.data p { margin: 0 0 0.5rem; font-size: 0.9375rem; max-inline-size: 42rem; }
+@container (inline-size >= 34rem) {
+  .bar > .status { grid-area: 1 / 1; align-self: center; }
+  .bar > .readout:not(:empty) ~ .status { visibility: hidden; }
+  .controls { grid-template-columns: repeat(2, minmax(0, 1fr)); }
+  .panel-place { min-block-size: calc(2 * var(--control) + var(--summary)); }
+}
+@container (inline-size >= 50rem) {
+  .controls { grid-template-columns: repeat(3, minmax(0, 1fr)); }
+  .panel-place { min-block-size: calc(var(--control) + var(--summary)); }
+}
+@media (pointer: coarse) {
+  button, input[role="spinbutton"], select { min-block-size: 2.75rem; min-inline-size: 2.75rem; }
+  input[type="range"] { min-block-size: 2.75rem; }
+  .panel-place { --control: 6rem; --summary: 2.75rem; }
+  .control { grid-template-rows: 2.75rem auto; }
+  summary { min-block-size: 2.75rem; padding-block: 0.65rem; }
+}
+@media print {
+  .bar, .panel-place, .data { display: none; }
+}
+`;
+
+/** @type {CSSStyleSheet | null} */
+let sheet = null;
+
+/**
+ * Puts the parts into an element's shadow root.
+ *
+ * @param {ShadowRoot} root
+ * @returns {Parts}
+ */
+export function furnish(root) {
+  if (sheet === null) {
+    sheet = new CSSStyleSheet();
+    sheet.replaceSync(STYLE);
+  }
+  root.adoptedStyleSheets = [sheet];
+
+  const canvas = document.createElement("canvas");
+  canvas.setAttribute("role", "img");
+  const stage = part("div", "stage");
+  stage.append(document.createElement("slot"), canvas);
+  const readout = part("p", "readout");
+  const buttons = part("div", "buttons");
+  const bar = part("div", "bar");
+  const status = part("p", "status");
+  bar.append(readout, buttons, status);
+  const heard = part("p", "heard");
+  heard.setAttribute("aria-live", "polite");
+  const controls = part("div", "panel-place");
+  const data = document.createElement("details");
+  data.className = "data";
+  const summary = document.createElement("summary");
+  summary.textContent = "In words and numbers";
+  data.append(summary);
+  root.append(stage, bar, heard, controls, data);
+  return { stage, canvas, readout, buttons, status, heard, controls, data };
+}
+
+/**
+ * @param {string} words
+ * @param {string} label  What a screen reader says.
+ * @param {() => void} press
+ */
+export function button(words, label, press) {
+  const made = document.createElement("button");
+  made.type = "button";
+  made.textContent = words;
+  if (label !== words) made.setAttribute("aria-label", label);
+  made.addEventListener("click", press);
+  return made;
+}
+
+/**
+ * @param {string} name
+ * @param {string} className
+ */
+function part(name, className) {
+  const made = document.createElement(name);
+  made.className = className;
+  return made;
+}

@@ -1,0 +1,145 @@
+//! `cargo xtask bench`: how fast the same jobs are natively, in Node and in Chromium; how soon the page shows its figures.
+
+use crate::command::{cargo, output_of, program};
+use crate::serve::{Prefix, Server};
+use crate::{Failure, build, place, tools};
+use std::fmt::Write;
+
+/// A line of a measurement: what, and how long.
+type Measured = Vec<(String, f64)>;
+
+/// Measures, prints and records in docs/benchmarks.md.
+pub fn bench() -> Result<(), Failure> {
+    let dist = place::root().join("dist");
+    let built = build::build(&dist)?;
+    built.report();
+    tools::ensure_node_packages()?;
+    let chromium = tools::ensure_chromium()?;
+
+    println!("natively");
+    let native = read(&output_of(&mut cargo(&["bench", "--quiet", "--bench", "speed"]))?)?;
+    let jobs: Vec<&str> = native.iter().map(|(job, _)| job.as_str()).collect();
+    println!("in Node");
+    let node = read(&output_of(program("node", &["benches/node.js"]).args(&jobs))?)?;
+    println!("in Chromium");
+    let address = Server::bind(dist, Prefix::root(), Some(0))?.in_background();
+    let mut browser = program("node", &["benches/browser.js"]);
+    browser.args(&jobs).env("CHROMIUM", &chromium).env("GEAR_ADDRESS", address);
+    let mut openings = read(&output_of(&mut browser)?)?;
+    let in_chromium = openings.split_off(openings.len().saturating_sub(jobs.len()));
+
+    let versions = [
+        output_of(&mut program("rustc", &["--version"]))?,
+        format!("Node {}", output_of(&mut program("node", &["--version"]))?),
+        output_of(&mut program(&chromium.to_string_lossy(), &["--version"]))?,
+    ];
+    let text = report(&machine(), &versions, built.gzipped, &[native, node, in_chromium], &openings);
+    print!("\n{text}");
+    let path = place::root().join("docs/benchmarks.md");
+    std::fs::write(&path, text).map_err(Failure::file(&path))
+}
+
+/// Reads lines of a name, a tab and a number.
+fn read(text: &str) -> Result<Measured, Failure> {
+    let parse = |line: &str| {
+        let (name, number) = line.split_once('\t')?;
+        Some((name.to_owned(), number.trim().parse().ok()?))
+    };
+    let lines = text.lines().filter(|line| !line.trim().is_empty());
+    lines.map(|line| parse(line).ok_or_else(|| Failure::invalid("a measurement", line))).collect()
+}
+
+/// The processor's name and the number of its cores that we may use.
+fn machine() -> String {
+    let information = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = information.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
+    let model = model.map_or("an unnamed processor", |(_, name)| name.trim());
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    format!("{model}, {cores} cores, {}", std::env::consts::OS)
+}
+
+/// The page of docs/. `jobs` holds the same jobs measured natively, in Node and in Chromium; each job of ours is
+/// followed by its baseline.
+fn report(
+    machine: &str,
+    versions: &[String],
+    gzipped: usize,
+    jobs: &[Measured; 3],
+    openings: &Measured,
+) -> String {
+    let mut text = String::from(
+        "# Benchmarks\n\n\
+         Written by `cargo xtask bench`; do not edit. The jobs are those of `src/study/benchmark.rs`, each the median of 15 samples, in one\n\
+         thread. \"Plain RK4\" is the baseline in the same run: the classical Runge-Kutta method, scalar, 200 steps a period, compiled by\n\
+         the same compiler. It reaches 1e-6 or so where ours reach 1e-10.\n\n",
+    );
+    let versions: Vec<&str> = versions.iter().map(|version| version.trim()).collect();
+    let _ = writeln!(text, "Machine: {machine}. {}.\n", versions.join(", "));
+    text.push_str("| job | native | wasm in Node | wasm in Chromium |\n|---|---|---|---|\n");
+    let [native, node, chromium] = jobs;
+    let duration =
+        |row: &Measured, index: usize| row.get(index).map_or("?".to_owned(), |(_, time)| microseconds(*time));
+    for (index, (job, _)) in native.iter().enumerate() {
+        let [native, node, chromium] = [native, node, chromium].map(|row| duration(row, index));
+        let _ = writeln!(text, "| {job} | {native} | {node} | {chromium} |");
+    }
+    text.push_str("\nTimes faster than the baseline:\n\n| job | native | wasm in Node | wasm in Chromium |\n|---|---|---|---|\n");
+    let ratio = |row: &Measured, index: usize| match (row.get(index), row.get(index + 1)) {
+        (Some((_, ours)), Some((_, plain))) => format!("{:.1}", plain / ours),
+        _ => "?".to_owned(),
+    };
+    for (index, (job, _)) in native.iter().enumerate().step_by(2) {
+        let [native, node, chromium] = [native, node, chromium].map(|row| ratio(row, index));
+        let _ = writeln!(text, "| {job} | {native} | {node} | {chromium} |");
+    }
+    text.push_str("\nOpening the page, 1440 by 900 CSS pixels, served from the same machine, from navigation on:\n\n| until | time |\n|---|---|\n");
+    for (mark, time) in openings {
+        let _ = writeln!(text, "| {mark} | {} |", microseconds(*time));
+    }
+    let ceiling = build::WASM_CEILING;
+    let _ = writeln!(text, "\nThe wasm, gzipped: {gzipped} bytes; the build fails above {ceiling}.");
+    text
+}
+
+/// A duration with three digits and the unit that suits it.
+fn microseconds(time: f64) -> String {
+    let (value, unit) = if time < 1e3 {
+        (time, "µs")
+    } else if time < 1e6 {
+        (time / 1e3, "ms")
+    } else {
+        (time / 1e6, "s")
+    };
+    let decimals = if value < 10.0 { 2 } else { usize::from(value < 100.0) };
+    format!("{value:.decimals$} {unit}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{microseconds, read, report};
+
+    #[test]
+    fn measurements_are_read_and_rubbish_is_not() {
+        assert_eq!(
+            read("a job\t1.5\n\nanother\t20\n").unwrap(),
+            [("a job".to_owned(), 1.5), ("another".to_owned(), 20.0)]
+        );
+        assert!(read("a job 1.5\n").is_err());
+    }
+
+    #[test]
+    fn durations_have_three_digits() {
+        let shown: Vec<String> = [0.1234, 12.34, 123.4, 1234.0, 1.5e6].map(microseconds).to_vec();
+        assert_eq!(shown, ["0.12 µs", "12.3 µs", "123 µs", "1.23 ms", "1.50 s"]);
+    }
+
+    #[test]
+    fn the_report_sets_each_job_against_its_baseline() {
+        let row = |ours, plain| vec![("a".to_owned(), ours), ("a by plain RK4".to_owned(), plain)];
+        let jobs = [row(2.0, 20.0), row(3.0, 33.0), row(4.0, 40.0)];
+        let text = report("box", &["v".to_owned()], 7, &jobs, &vec![("first".to_owned(), 250_000.0)]);
+        assert!(text.contains("| a | 2.00 µs | 3.00 µs | 4.00 µs |\n| a by plain RK4 | 20.0 µs"));
+        assert!(text.contains("| a | 10.0 | 11.0 | 10.0 |\n"));
+        assert!(text.contains("| first | 250 ms |"));
+    }
+}
