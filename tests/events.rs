@@ -1,13 +1,15 @@
 //! Events along steps: nothing between two ends of a step is missed, nothing at a joint is told twice.
 
+mod common;
 mod generated;
 
+use common::Generator;
 use gear_bifurcations::numerics::ode::Field;
 use gear_bifurcations::numerics::ode::dense::DenseStep;
 use gear_bifurcations::numerics::ode::event::{Crossing, Watch, first_crossing, range, visit_crossings};
 use gear_bifurcations::numerics::ode::runge_kutta::{RungeKutta, RungeKuttaOptions};
 use gear_bifurcations::numerics::roots::{RootKind, Side};
-use generated::{Generator, with_roots};
+use generated::{below, parted, with_roots};
 use std::f64::consts::{PI, TAU};
 
 #[derive(Clone)]
@@ -30,10 +32,10 @@ fn crossings<const LEN: usize>(coefficients: &[f64; LEN], length: f64, on_root: 
 
 #[test]
 fn a_start_on_a_root_does_not_count_and_what_follows_does() {
-    let mut generator = Generator::new(11);
+    let mut generator = Generator(11);
     for _ in 0..200 {
-        let count = generator.below(4);
-        let known = generator.parted(count, 0.05, (0.05, 0.95));
+        let count = below(&mut generator, 4);
+        let known = parted(&mut generator, count, 0.05, (0.05, 0.95));
         let roots = [&known[..], &[0.0]].concat();
         for length in [0.7, -0.7] {
             let polynomial = with_roots::<9>(&roots, &[(0.5, 0.4)], length);

@@ -1,12 +1,14 @@
 //! Roots: brackets, and polynomials made from roots that are known.
 
+mod common;
 mod generated;
 
+use common::Generator;
 use gear_bifurcations::error::NumericsError;
 use gear_bifurcations::numerics::roots::{
     Root, RootKind, bracketed_root, extrema, polynomial_roots, polynomial_value, stationary_points,
 };
-use generated::{Generator, with_roots};
+use generated::{below, parted, with_roots};
 use std::cell::Cell;
 
 fn kinds(roots: &[Root]) -> Vec<RootKind> {
@@ -67,10 +69,10 @@ fn ends_that_bracket_nothing_and_values_that_are_no_numbers_are_errors() {
 /// coefficients on an interval of random length, forwards and backwards.
 #[test]
 fn generated_polynomials_give_back_their_roots() {
-    let mut generator = Generator::new(1);
+    let mut generator = Generator(1);
     for round in 0..400 {
-        let count = generator.below(6);
-        let inside = generator.parted(count, 0.04, (0.02, 0.98));
+        let count = below(&mut generator, 6);
+        let inside = parted(&mut generator, count, 0.04, (0.02, 0.98));
         let outside: Vec<f64> = (0..3).map(|_| 1.1 + 2.0 * generator.unit()).collect();
         let pairs: Vec<(f64, f64)> =
             (0..3).map(|_| (2.0 * generator.unit() - 0.5, 0.2 + generator.unit())).collect();
@@ -91,7 +93,7 @@ fn generated_polynomials_give_back_their_roots() {
 
 #[test]
 fn no_change_of_sign_that_sampling_shows_is_missed() {
-    let mut generator = Generator::new(7);
+    let mut generator = Generator(7);
     let mut seen = 0;
     for _ in 0..400 {
         // A random sum of Chebyshev polynomials of degree up to 24, which waves all over the interval.
@@ -203,7 +205,7 @@ fn a_root_at_an_end_is_an_end() {
 
 #[test]
 fn extrema_are_those_of_fine_sampling() {
-    let mut generator = Generator::new(3);
+    let mut generator = Generator(3);
     for round in 0..200 {
         let roots: Vec<f64> = (0..7).map(|_| 1.4 * generator.unit() - 0.2).collect();
         let length = if round % 2 == 0 { 0.3 } else { -0.3 };

@@ -1,10 +1,12 @@
 //! The perturbation equations against projections of what they are expanded from, the combination tongue, and the
 //! motions born at the tongues' edges.
 
+mod common;
 mod theory_support;
 
 use std::f64::consts::PI;
 
+use common::Generator;
 use gear_bifurcations::error::TheoryError;
 use gear_bifurcations::model::parameters::Symmetric;
 use gear_bifurcations::theory::modes::{self, Amplitudes, Expansion, Modes};
@@ -14,9 +16,7 @@ use gear_bifurcations::theory::{
     period_two_guess, primary_exponents,
 };
 use nalgebra::Complex;
-use theory_support::{
-    Uniform, assert_close, determinant, eigenvalues, generated, numerical_jacobian, symmetric,
-};
+use theory_support::{assert_close, determinant, eigenvalues, generated, numerical_jacobian, symmetric};
 
 /// Cosine and sine coefficients of the right side of (33) at the three frequencies, which must be multiples of
 /// `1/denominator`: rows are the equations, columns the frequencies.
@@ -206,14 +206,14 @@ fn the_secular_matrices_of_the_combination_tongue_are_the_projection_and_lead_to
 
 #[test]
 fn the_jacobian_110_its_eigenvalues_and_its_conditions() {
-    let mut uniform = Uniform(3);
+    let mut generator = Generator(3);
     for (m, k) in generated(40) {
         let modes = Modes::new(m, k).expect("in range");
         let printed_width = combination::half_width_printed(&modes);
-        let omega_1 = printed_width * (3.0 * uniform.next() - 1.5);
+        let omega_1 = printed_width * (3.0 * generator.unit() - 1.5);
         let alpha = 0.5;
         let scale = 1.0 + k;
-        let x = std::array::from_fn(|_| uniform.next() - 0.5);
+        let x = std::array::from_fn(|_| generator.unit() - 0.5);
         let numerical = numerical_jacobian(|x| combination::slow_flow_printed(&modes, alpha, omega_1, x), x);
         let analytic = combination::jacobian_printed(&modes, alpha, omega_1, x);
         for (one, other) in analytic.iter().flatten().zip(numerical.iter().flatten()) {
@@ -263,8 +263,13 @@ fn the_solutions_of_106_to_109_solve_them_and_leave_the_origin_at_their_own_edge
         let edge = combination::printed_solutions_edge(&modes);
         for omega_1 in [-3.0, -0.5, 0.0, 0.7, 1.2].map(|part| part * edge) {
             let solutions = combination::printed_solutions(&modes, alpha, omega_1).expect("alpha");
+            // One more from each edge on, towards the side to which the cubes bend; folds may add pairs.
             let along = omega_1 / edge * alpha.signum();
-            assert_eq!(solutions.len(), usize::from(along > -1.0) + usize::from(along > 1.0), "{along}");
+            let born = usize::from(along > -1.0) + usize::from(along > 1.0);
+            assert!(
+                solutions.len() >= born && (solutions.len() - born).is_multiple_of(2),
+                "{along} {solutions:?}"
+            );
             for solution in solutions {
                 let (sine, cosine) = f64::sin_cos(0.3 + index as f64);
                 let x = [
@@ -481,8 +486,10 @@ fn the_cycles_of_t8_are_cycles_of_the_slow_flow_with_the_stability_they_claim() 
                 assert_close("[T8]", rate, 0.0, 1e-10 * size);
             }
             let values = eigenvalues(numerical_jacobian(|x| combination_flow(&point, turn, x), x));
-            // One eigenvalue is zero, for the phase that nothing fixes; without damping a second, for the family.
-            let grows = values.iter().any(|value| value.re > 1e-5 * size);
+            // One eigenvalue is zero, for the phase that nothing fixes; without damping a second, for the family, and
+            // rounding splits a double one by its root.
+            let rounding = if zeta == 0.0 { 1e-6 } else { 1e-11 };
+            let grows = values.iter().any(|value| value.re > rounding * size);
             assert_eq!(cycle.stable, !grows, "m = {m}, k = {k}, zeta = {zeta}: {values:?}");
             if cycle.stable { stable += 1 } else { unstable += 1 }
         }
@@ -490,15 +497,37 @@ fn the_cycles_of_t8_are_cycles_of_the_slow_flow_with_the_stability_they_claim() 
     assert!(stable > 40 && unstable > 20, "{stable} {unstable}");
 }
 
-/// One classical Runge-Kutta step after another of (25), homogeneous, on the manifold u_g = -u_p; state
-/// `u_p, u, u_p', u'`.
+/// (25), homogeneous, on the manifold `u_g = -u_p`; state `u_p, u, u_p', u'`.
+fn manifold_field(point: &Symmetric, t: f64, y: [f64; 4]) -> [f64; 4] {
+    let force = 2.0 * point.zeta * y[3] + (1.0 + point.k0 * (point.omega * t).cos()) * y[1];
+    let support = 2.0 * point.zeta_s * y[2] + point.k * y[0] + point.alpha * y[0].powi(3);
+    let body = -(support + force) / point.m;
+    [y[2], y[3], body, 2.0 * body - force]
+}
+
+#[test]
+fn the_modal_equations_t1_are_the_model() {
+    let mut generator = Generator(5);
+    for (m, k) in generated(40) {
+        let modes = Modes::new(m, k).expect("in range");
+        let mut next = || generator.unit() - 0.5;
+        let mut point = symmetric(m, k, next(), 0.03, 0.4, 1.3);
+        point.zeta_s = 0.1 + 0.1 * next();
+        let (q, q_dot) = ([next(), next()], [next(), next()]);
+        let in_model =
+            |[second, third]: [f64; 2]| [-2.0 * (second + third), modes.a * second + modes.b * third];
+        let ([u_p, u], [u_p_dot, u_dot]) = (in_model(q), in_model(q_dot));
+        let direct = manifold_field(&point, 0.7, [u_p, u, u_p_dot, u_dot]);
+        let modal = in_model(branches::modal_accelerations(&point, 0.7, q, q_dot).expect("in range"));
+        let size = (1.0 + k) * (1.0 + k / m) * (1.0 + 1.0 / m);
+        assert_close("[T1] u_p", modal[0], direct[2], 1e-12 * size);
+        assert_close("[T1] u", modal[1], direct[3], 1e-12 * size);
+    }
+}
+
+/// One classical Runge-Kutta step after another of [`manifold_field`].
 fn integrate(point: &Symmetric, mut state: [f64; 4], time: f64, steps: usize) -> [f64; 4] {
-    let field = |t: f64, y: [f64; 4]| {
-        let force = 2.0 * point.zeta * y[3] + (1.0 + point.k0 * (point.omega * t).cos()) * y[1];
-        let support = 2.0 * point.zeta_s * y[2] + point.k * y[0] + point.alpha * y[0].powi(3);
-        let body = -(support + force) / point.m;
-        [y[2], y[3], body, 2.0 * body - force]
-    };
+    let field = |t: f64, y: [f64; 4]| manifold_field(point, t, y);
     let h = time / steps as f64;
     for step in 0..steps {
         let t = step as f64 * h;

@@ -32,6 +32,7 @@ pub mod view;
 
 pub use draw::{FrameMap, draw, svg};
 pub use drawing::{Axis, Drawing, Frame, Mark, Role, Series};
+pub use layout::pleasant_height;
 pub use surface::Surface;
 pub use svg::SvgSurface;
 pub use theme::Theme;

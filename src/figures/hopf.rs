@@ -17,8 +17,6 @@ use std::f64::consts::TAU;
 
 /// How far the axis reaches, in the largest of the half-widths.
 const REACH: f64 = 2.2;
-/// Rings drawn along each tube.
-const RINGS: usize = 9;
 
 /// # Errors
 /// Unequal supports.
@@ -227,10 +225,10 @@ fn cycle(composer: &mut Composer, flat: usize, space: usize, radii: &Radii, name
         format!("the {word} limit cycle with damping [T8] as circles of radius R_B, {name} supports");
     let line =
         Line::new(format!("cycle {name} {word} 3-D"), meaning.clone(), Role::Corrected).stable(radii.stable);
-    composer.curve(space, line, rings(&radii.b));
+    composer.curve(space, line, rings(&radii.b, if radii.stable { 9 } else { 4 }));
     let line =
         Line::new(format!("tube {name} {word} 3-D"), meaning, Role::CorrectedSecond).stable(radii.stable);
-    composer.curve(space, line, tube(&radii.b));
+    composer.curve(space, line, tube(&radii.b, if radii.stable { 8 } else { 4 }));
     let (role, word) = if radii.stable {
         (Role::Supercritical, "supercritical Hopf bifurcation")
     } else {
@@ -242,12 +240,12 @@ fn cycle(composer: &mut Composer, flat: usize, space: usize, radii: &Radii, name
 }
 
 /// Circles across the tube, evenly spaced along it.
-fn rings(radii: &[(f64, f64)]) -> Points {
+fn rings(radii: &[(f64, f64)], count: usize) -> Points {
     let mut points = Points::default();
     let (Some(first), Some(last)) = (radii.first(), radii.last()) else {
         return points;
     };
-    for x in even(first.0, last.0, RINGS + 1).skip(1) {
+    for x in even(first.0, last.0, count + 1).skip(1) {
         let radius = radius_at(radii, x);
         points
             .piece_in_space(even(0.0, TAU, 49).map(|angle| (x, radius * angle.cos(), radius * angle.sin())));
@@ -255,10 +253,10 @@ fn rings(radii: &[(f64, f64)]) -> Points {
     points
 }
 
-/// Lines along the tube, at eight angles.
-fn tube(radii: &[(f64, f64)]) -> Points {
+/// Lines along the tube, evenly spaced about it.
+fn tube(radii: &[(f64, f64)], count: usize) -> Points {
     let mut points = Points::default();
-    for angle in even(0.0, TAU, 9).take(8) {
+    for angle in even(0.0, TAU, count + 1).take(count) {
         points
             .piece_in_space(radii.iter().map(|&(x, radius)| (x, radius * angle.cos(), radius * angle.sin())));
     }

@@ -293,7 +293,7 @@ fn damped_pitchforks(
             name: format!("R_{letter}{subscript} damped"),
             meaning: format!("R_{letter}{subscript} with damping [T7], {}", stability(last.stable)),
             label: last.stable.then(|| format!("*R*_{{{letter}}} damped [T7]")),
-            label_at: 0.5,
+            label_at: 0.72,
             role: Role::Corrected,
             stable: last.stable,
             curve: half_parabola(edge, end, radius),

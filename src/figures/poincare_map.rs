@@ -20,7 +20,7 @@ const MOST: usize = 4000;
 /// Most periods followed from the others, which show how they come near.
 const MOST_FURTHER: usize = 1000;
 /// Periods computed in one slice.
-const SLICE: usize = 300;
+const SLICE: usize = 500;
 /// A start is followed until it is this near the attractor.
 const NEAR: f64 = 1e-3;
 /// Two points of the map this near, a few periods apart: an orbit is looked for there.
@@ -32,9 +32,9 @@ const TRANSIENT: f64 = 0.6;
 /// Tolerance of the integration.
 const TOLERANCE: f64 = 1e-10;
 /// Cells along each axis in which a second point is not drawn: a third of a pixel of an ordinary picture.
-const CELLS: f64 = 2400.0;
-/// The same for transients, whose points are half a pixel apart at least.
-const SPARSE: f64 = 1500.0;
+const CELLS: f64 = 2000.0;
+/// The same for transients, which are light and wide apart.
+const SPARSE: f64 = 1000.0;
 
 /// What the fixed point in the middle is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use super::gearing::{
     GEAR_RADIUS, GEAR_TEETH, PINION_TEETH, Point, arc, arrow_head, base_radius, beside, damper, ground,
     line_of_action, outline, spring,
 };
-use super::{Figure, Motion};
+use super::job::{Figure, Motion, patience};
 use crate::chart::drawing::{Drawing, Frame, Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
@@ -32,8 +32,9 @@ const WINDOW: f64 = 0.27;
 /// # Errors
 /// Those of [`time_response`].
 pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure, FigureError> {
+    let settling = ((patience(parameters) / parameters.mesh_period()) as usize).min(SETTLING);
     let options = TimeResponseOptions {
-        periods: (SETTLING + SHOWN) as f64,
+        periods: (settling + SHOWN) as f64,
         samples_per_period: SAMPLES,
         ..TimeResponseOptions::new(parameters)
     };

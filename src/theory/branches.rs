@@ -10,6 +10,30 @@ use super::primary::{self, Branch};
 use crate::error::TheoryError;
 use crate::model::parameters::Symmetric;
 
+/// The second derivatives of `q_2, q_3` on the manifold `u_g = -u_p`, [T1], from their values and first derivatives:
+/// the model without load in modal coordinates, nothing left out.
+///
+/// # Errors
+/// [`TheoryError::Model`] for `m` or `k` out of range.
+pub fn modal_accelerations(
+    symmetric: &Symmetric,
+    time: f64,
+    q: [f64; 2],
+    q_dot: [f64; 2],
+) -> Result<[f64; 2], TheoryError> {
+    let modes = Modes::of(symmetric)?;
+    let (u, u_dot) = (modes.a * q[0] + modes.b * q[1], modes.a * q_dot[0] + modes.b * q_dot[1]);
+    let (sum, sum_dot) = (q[0] + q[1], q_dot[0] + q_dot[1]);
+    let mesh = symmetric.k0 * (symmetric.omega * time).cos() * u + 2.0 * symmetric.zeta * u_dot;
+    let support = 16.0 * symmetric.zeta_s * sum_dot + 32.0 * symmetric.alpha * sum.powi(3);
+    let of = |mode: Mode, own: f64| {
+        let c = modes.coefficient(mode);
+        let spread = c - modes.coefficient(mode.partner());
+        -modes.sigma(mode) * (own + (mesh + support / c) / spread)
+    };
+    Ok([of(Mode::Second, q[0]), of(Mode::Third, q[1])])
+}
+
 /// A motion of twice the mesh period in a primary tongue, [T7]: both its equilibria of the slow flow, "pi apart", are
 /// the two stroboscopic points of this one orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -21,6 +21,9 @@ pub mod tongues;
 pub use branches::{Cycle, PeriodTwo, cycles, period_two, period_two_guess};
 pub use combination::PrintedSolution;
 pub use damped::{combination_exponents, primary_exponents};
+/// The complex number of the answers, so that who reads them needs no `nalgebra`.
+pub use nalgebra::Complex;
+
 pub use modes::{Mode, Modes, paper_alpha, paper_omega_1};
 pub use primary::Branch;
 pub use tongues::{Edges, Tongue, Tongues, tongues};

@@ -241,7 +241,7 @@ impl Surface for CanvasSurface {
             onto.ok_or_else(|| failed(&JsValue::from_str("no 2-D context for a cloud of points")))?;
         onto.put_image_data(&pixels, 0.0, 0.0).map_err(js)?;
         self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0).map_err(js)?;
-        let (left, top) = (f64::from(image.origin.0), f64::from(image.origin.1));
+        let (left, top) = (image.origin.0 as f64, image.origin.1 as f64);
         self.context.draw_image_with_offscreen_canvas(&layer, left, top).map_err(js)?;
         self.in_units()
     }

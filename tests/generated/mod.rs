@@ -1,41 +1,20 @@
-//! Numbers that look random and are the same every time, and polynomials with known roots.
+//! Polynomials with known roots, from the numbers of `common`.
 #![allow(dead_code, reason = "each test file uses its part")]
 
-/// The generator xorshift64* (S. Vigna, ACM Trans. Math. Softw. 42 (2016) 30).
-#[derive(Clone)]
-pub struct Generator(u64);
+use crate::common::Generator;
 
-impl Generator {
-    /// One sequence for each seed.
-    pub fn new(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
-    }
+/// A number from 0 to `limit` - 1.
+pub fn below(generator: &mut Generator, limit: usize) -> usize {
+    generator.within(0.0, limit as f64) as usize
+}
 
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        self.0.wrapping_mul(0x2545_F491_4F6C_DD1D)
-    }
-
-    /// From 0 to 1.
-    pub fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// From 0 to `limit` - 1.
-    pub fn below(&mut self, limit: usize) -> usize {
-        (self.next() % limit as u64) as usize
-    }
-
-    /// `count` numbers between `low` and `high` in rising order, each at least `apart` from the next.
-    pub fn parted(&mut self, count: usize, apart: f64, (low, high): (f64, f64)) -> Vec<f64> {
-        loop {
-            let mut numbers: Vec<f64> = (0..count).map(|_| low + (high - low) * self.unit()).collect();
-            numbers.sort_by(f64::total_cmp);
-            if numbers.windows(2).all(|pair| pair[1] - pair[0] >= apart) {
-                return numbers;
-            }
+/// `count` numbers between `low` and `high` in rising order, each at least `apart` from the next.
+pub fn parted(generator: &mut Generator, count: usize, apart: f64, (low, high): (f64, f64)) -> Vec<f64> {
+    loop {
+        let mut numbers: Vec<f64> = (0..count).map(|_| generator.within(low, high)).collect();
+        numbers.sort_by(f64::total_cmp);
+        if numbers.windows(2).all(|pair| pair[1] - pair[0] >= apart) {
+            return numbers;
         }
     }
 }

@@ -1,54 +1,10 @@
-//! What the theory's tests share: the reference's reader, generated parameters, small linear algebra.
+//! What the theory's tests share beyond `common`: generated supports, small linear algebra.
 
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+use crate::common::Generator;
 use gear_bifurcations::model::parameters::Symmetric;
 use nalgebra::{Complex, DMatrix, Schur};
-
-/// Walks a reference file from key to key; enough of JSON for files whose keys come in a known order.
-pub struct Reference<'a> {
-    rest: &'a str,
-}
-
-impl<'a> Reference<'a> {
-    pub fn new(text: &'a str) -> Self {
-        Self { rest: text }
-    }
-
-    /// Moves behind the next such key and its colon.
-    pub fn enter(&mut self, key: &str) {
-        let quoted = format!("\"{key}\":");
-        let start = self.rest.find(&quoted).unwrap_or_else(|| panic!("no {key} in the reference"));
-        self.rest = self.rest[start + quoted.len()..].trim_start();
-    }
-
-    pub fn is_null(&self) -> bool {
-        self.rest.starts_with("null")
-    }
-
-    /// The number under the next such key.
-    pub fn number(&mut self, key: &str) -> f64 {
-        self.enter(key);
-        self.here()
-    }
-
-    /// The three numbers of the list under the next such key.
-    pub fn numbers(&mut self, key: &str) -> [f64; 3] {
-        self.enter(key);
-        std::array::from_fn(|_| {
-            self.rest = self.rest.trim_start_matches(|c: char| c == '[' || c == ',' || c.is_whitespace());
-            let number = self.here();
-            let end = self.rest.find([',', ']']).unwrap_or(self.rest.len());
-            self.rest = &self.rest[end..];
-            number
-        })
-    }
-
-    fn here(&self) -> f64 {
-        let end = self.rest.find([',', '}', ']', '\n']).unwrap_or(self.rest.len());
-        self.rest[..end].trim().parse().unwrap_or_else(|_| panic!("no number: {}", &self.rest[..end]))
-    }
-}
 
 pub fn assert_close(what: &str, value: f64, expected: f64, tolerance: f64) {
     assert!(
@@ -63,20 +19,12 @@ pub fn symmetric(m: f64, k: f64, alpha: f64, zeta: f64, k0: f64, omega: f64) -> 
     Symmetric { m, k, alpha, zeta, zeta_s: zeta, k0, omega }
 }
 
-/// Uniform numbers from 0 to 1, the same in each run: Knuth's 64-bit linear congruence.
-pub struct Uniform(pub u64);
-
-impl Uniform {
-    pub fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
-
 /// Pairs `(m, k)`: m from 0.2 to 10, k from 0.2 to 50, even in the logarithm.
 pub fn generated(count: usize) -> Vec<(f64, f64)> {
-    let mut uniform = Uniform(7);
-    (0..count).map(|_| (0.2 * 50.0_f64.powf(uniform.next()), 0.2 * 250.0_f64.powf(uniform.next()))).collect()
+    let mut generator = Generator(7);
+    (0..count)
+        .map(|_| (0.2 * 50.0_f64.powf(generator.unit()), 0.2 * 250.0_f64.powf(generator.unit())))
+        .collect()
 }
 
 pub fn times(matrix: [[f64; 3]; 3], vector: [f64; 3]) -> [f64; 3] {
@@ -90,9 +38,9 @@ pub fn determinant<const N: usize>(matrix: [[f64; N]; N]) -> f64 {
 /// Eigenvalues by QR. The matrices here have so much structure that plain shifts can run in circles: a change to
 /// generic coordinates takes it away.
 pub fn eigenvalues<const N: usize>(matrix: [[f64; N]; N]) -> Vec<Complex<f64>> {
-    let mut uniform = Uniform(11);
+    let mut generator = Generator(11);
     let generic =
-        DMatrix::from_fn(N, N, |row, column| if row == column { 1.5 } else { 0.5 * uniform.next() - 0.25 });
+        DMatrix::from_fn(N, N, |row, column| if row == column { 1.5 } else { 0.5 * generator.unit() - 0.25 });
     let inverse = generic.clone().try_inverse().expect("diagonally dominant");
     let plain = DMatrix::from_fn(N, N, |row, column| matrix[row][column]);
     let schur = Schur::try_new(generic * plain * inverse, 1e-13, 10_000).expect("converges");
