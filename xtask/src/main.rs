@@ -56,9 +56,8 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "bench" => command::Options::read(rest, &[], &[]).and_then(|_| bench::bench()),
         "goldens" => {
             command::Options::read(rest, &[], &[])?;
-            let test =
-                ["test", "--quiet", "--test", "goldens", "every_figure_is_its_golden", "--", "--nocapture"];
-            command::run(command::cargo(&test).env("GOLDENS", "write"))
+            let test = ["test", "--quiet", "--test", "goldens"];
+            command::run(command::cargo(&test).env("GOLDENS", "renew"))
         }
         "screens" => command::Options::read(rest, &[], &[]).and_then(|_| screens::screens()),
         "help" | "--help" | "-h" => {
