@@ -220,8 +220,8 @@ function createGear(module) {
     fromPhysical: (/** @type {unknown} */ si) => call((raw) => raw.fromPhysical(si)),
     toPhysical: (/** @type {unknown} */ p, /** @type {unknown} */ scales) =>
       call((raw) => raw.toPhysical(p, scales)),
-    modes: (/** @type {unknown} */ p, /** @type {unknown} */ options) => call((raw) => raw.modes(p, options)),
-    tongues: (/** @type {unknown} */ p, /** @type {unknown} */ options) =>
+    modes: (/** @type {unknown} */ p, /** @type {unknown} */ options = undefined) => call((raw) => raw.modes(p, options)),
+    tongues: (/** @type {unknown} */ p, /** @type {unknown} */ options = undefined) =>
       call((raw) => raw.tongues(p, options)),
     multipliers: (/** @type {unknown} */ p, /** @type {unknown} */ options) =>
       call((raw) => raw.multipliers(p, options)),
