@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`drawing`] | what is to be drawn, by its meaning |
 //! | [`theme`] | how each meaning looks |
-//! | [`surface`], [`svg`] | what a backend must offer; the one that writes SVG |
+//! | [`surface`], [`svg`](mod@svg) | what a backend must offer; the one that writes SVG |
 //! | [`draw`](mod@draw), `layout`, `axes`, `series`, `three_d`, `labels`, `marks` | the picture and its parts |
 //! | [`clip`], [`decimate`], [`dash`], [`ticks`], [`text`], [`metrics`], [`cloud`] | what they compute with |
 
