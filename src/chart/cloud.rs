@@ -78,7 +78,7 @@ fn stamps(radius: f64, side: usize, alpha: f64) -> Vec<Vec<f32>> {
     (0..PLACES * PLACES)
         .map(|place| {
             let middle =
-                [(place % PLACES) as f64, (place / PLACES) as f64].map(|part| part / PLACES as f64 + reach);
+                [place % PLACES, place / PLACES].map(|part| f64::from(part) / f64::from(PLACES) + reach);
             (0..side * side)
                 .map(|pixel| {
                     let corner = [(pixel % side) as f64, (pixel / side) as f64];

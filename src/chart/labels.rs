@@ -19,6 +19,8 @@ const FORBIDDEN: f64 = 1e4;
 const NEARNESS: f64 = 0.12;
 /// Cost of a cell of ink under the label.
 const INK: f64 = 5.0;
+/// Cost of a cell of ink close to the label.
+const CLOSE_INK: f64 = 0.5;
 /// Sizes that are tried, over the wanted one.
 const SHRINKS: [f64; 3] = [1.0, 0.9, 0.8];
 
@@ -222,7 +224,8 @@ fn best_place(
             candidate.cost += if over { FORBIDDEN } else { 0.0 };
         } else {
             let ink = crowd.ink_in(sums, &kept);
-            candidate.cost += INK * ink;
+            // Ink close by makes a label belong to more than one line.
+            candidate.cost += INK * ink + CLOSE_INK * crowd.ink_in(sums, &area.grown(6.0));
             // Words side by side would be read as one: they need more room to their sides.
             let apart = Rect { left: kept.left - 8.0, right: kept.right + 8.0, ..kept };
             let touches = crowd.boxes.iter().any(|taken| taken.overlaps(&kept))

@@ -286,7 +286,7 @@ pub fn draw_solid<S: Surface>(
                     let flat: Vec<[f64; 2]> = piece.iter().map(|point| projection.pixel(point)).collect();
                     crowd.add_line(&flat);
                     cut_by_depth(&piece, &flat, look.dash, projection, |depth, line| {
-                        stretches.push((depth, index, line));
+                        stretches.push((depth + precedence(series.role), index, line));
                     });
                     visible.push(flat);
                 }
@@ -329,6 +329,15 @@ pub fn draw_solid<S: Surface>(
         draw_marks(painter, all[owner], &look, &[center], context.theme, crowd)?;
     }
     Ok(anchors)
+}
+
+/// Depth by which a series comes forward: where two curves run together the same one is on top all along.
+fn precedence(role: Role) -> f64 {
+    match role {
+        Role::Exact => 0.12,
+        Role::Corrected | Role::CorrectedSecond => 0.06,
+        _ => 0.0,
+    }
 }
 
 /// Cuts a curve into dashes or short stretches with their mean depth. Stretches overlap by a segment: no seams show.

@@ -31,19 +31,17 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
     if setting.paper_alpha().is_none() {
         notes.push(no_branches(&setting));
     }
-    let summary = match edge {
-        Some(edge) => format!(
+    let summary = if let Some(edge) = edge {
+        format!(
             "Limit cycles are born at Omega_1 = -/+{} with damping, where the paper says -/+{}: a stable one at the \
              supercritical edge, left for hardening and right for softening supports, which goes on beyond the other \
              edge, where an unstable one is born.",
             number(edge, 5),
             number(half_width_printed(&setting.modes), 5)
-        ),
-        None => {
-            notes.push("Damping closes this tongue at this k0: there is no limit cycle.".to_owned());
-            "Damping closes the combination tongue: the origin is stable and no limit cycle is born."
-                .to_owned()
-        }
+        )
+    } else {
+        notes.push("Damping closes this tongue at this k0: there is no limit cycle.".to_owned());
+        "Damping closes the combination tongue: the origin is stable and no limit cycle is born.".to_owned()
     };
     let method = "nontrivial solutions of (106)-(109) as printed; with damping [T6], [T8]";
     let mut figure = formula(id, parameters, composer, summary, method);

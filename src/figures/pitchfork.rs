@@ -45,12 +45,11 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters, mode: Mode) -> R
          softening ones the other way round; both go on beyond the tongue"
             .to_owned()
     };
-    let edges = match damped {
-        Some(damped) => format!("with damping {}", number(damped / k0, 5)),
-        None => {
-            notes.push("Damping closes this tongue at this k0: the green branches are gone.".to_owned());
-            "with damping the tongue is closed".to_owned()
-        }
+    let edges = if let Some(damped) = damped {
+        format!("with damping {}", number(damped / k0, 5))
+    } else {
+        notes.push("Damping closes this tongue at this k0: the green branches are gone.".to_owned());
+        "with damping the tongue is closed".to_owned()
     };
     let summary = format!("Pitchforks at Omega_1 = -/+{} as printed, {edges}: {branches}.", number(width, 5));
     let method =

@@ -341,12 +341,12 @@ impl Map {
             let cut = self.transient(track).min(shown.len());
             for &side in sides {
                 let point = |state: &[f64; 6]| (side * state[0], side * state[3]);
-                if kind == Centre::FlipSaddle && number == 0 {
+                if kind == Centre::FlipSaddle && track.most == MOST {
                     let mut joined = Points::default();
                     for first in 0..2 {
                         joined.piece(shown[..cut].iter().skip(first).step_by(2).map(point));
                     }
-                    let name = if side > 0.0 { "start" } else { "mirrored start" };
+                    let name = if side > 0.0 && number == 0 { "start" } else { "mirrored start" };
                     let line = Line::new(
                         format!("{name} joined"),
                         "every second point of the map joined",
@@ -354,8 +354,11 @@ impl Map {
                     );
                     composer.curve(frame, line, joined);
                 }
-                let way =
-                    if kind == Centre::FlipSaddle && number == 0 { &mut joints } else { &mut transients };
+                let way = if kind == Centre::FlipSaddle && track.most == MOST {
+                    &mut joints
+                } else {
+                    &mut transients
+                };
                 way.cloud(shown[..cut].iter().map(point).filter(|at| seen.first_there(*at)));
                 late.cloud(shown[cut..].iter().map(point).filter(|at| seen_late.first_there(*at)));
             }
@@ -406,6 +409,13 @@ impl Map {
         if let Some(attractor) = self.attractors.get(skip) {
             let state = attractor.points[0];
             let period = attractor.orbit.period;
+            if !self.mirrored() || period != 2 {
+                return format!(
+                    "{middle}; starts end in a stable motion of period {period}T, one of whose points is u_p = {}, u_p' = {}.",
+                    number(state[0], 5),
+                    number(state[3], 5)
+                );
+            }
             return format!(
                 "{middle}; the starts end in the points of a stable motion of period {period}T at u_p = \u{b1}{}, \
                  u_p' = {}{}.",

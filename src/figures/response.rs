@@ -80,7 +80,12 @@ fn extremes(values: &[f64]) -> (f64, f64) {
 pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure, FigureError> {
     let contact = Run::new(parameters, Regime::Contact)?;
     let backlash = Run::new(parameters, Regime::Backlash)?;
-    let end = SHOWN as f64 * parameters.mesh_period();
+    let whole = SHOWN as f64 * parameters.mesh_period();
+    // Where both motions leave, the axis ends soon after.
+    let end = match (contact.escape_shown(), backlash.escape_shown()) {
+        (Some(one), Some(other)) => f64::min(whole, 1.5 * one.max(other)),
+        _ => whole,
+    };
     let (low, high) = vertical(&backlash);
     let mut composer = Composer::new((1, 1));
     let frame = composer.frame(plane(
@@ -115,8 +120,13 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
             number(time, 6)
         ));
     }
+    let mut marked = None;
     for (run, name) in [(&contact, "contact"), (&backlash, "backlash")] {
         let Some(time) = run.escape_shown() else { continue };
+        if marked.replace(time).is_some_and(|before: f64| (before - time).abs() < 1e-3 * end) {
+            notes.push(format!("In the regime {name} it escapes at the same time."));
+            continue;
+        }
         let at = run.response.states.last().map_or(0.0, |state| state[2]).clamp(low, high);
         let label = format!("escapes, *t* = {}", number(time, 4));
         let line = Line::new(

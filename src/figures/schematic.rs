@@ -64,6 +64,10 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
         "The loop shows {periods} mesh periods; the torsion is shared evenly between both bodies, and the \
          compression of teeth in contact is not drawn."
     ));
+    notes.push(
+        "Exaggerated against a gear pair whose half-backlash is 1/500 of the pinion's pitch radius."
+            .to_owned(),
+    );
     let summary = format!(
         "Pinion and gear on their supports, moving: u runs from {} to {} half-backlashes, so {contact}.",
         number(least, 4),
@@ -300,8 +304,7 @@ fn furniture(composer: &mut Composer, frame: usize, pose: &Pose) {
         number(pose.factor, 3),
         number(DRAWN_BACKLASH / ORDINARY_BACKLASH, 3)
     );
-    composer.text(frame, "scale", &scale, (1.35, -2.0));
-    composer.text(frame, "against", "(taking half-backlash as pinion radius / 500)", (1.35, -2.24));
+    composer.text(frame, "scale", &scale, (1.3, -2.1));
 }
 
 fn contact(composer: &mut Composer, frame: usize, pose: &Pose) {
