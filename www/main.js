@@ -97,5 +97,5 @@ customElements.define("gear-figure", GearFigure);
 
 // With `?test` in the address, tests may break what only bad luck breaks.
 if (new URLSearchParams(location.search).has("test")) {
-  services.then(({ engine: running }) => Object.assign(window, { __gear: { pool: running.pool, store } }));
+  services.then(({ engine: running }) => Object.assign(window, { __gear: { engine: running, store } }));
 }

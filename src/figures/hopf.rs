@@ -65,7 +65,7 @@ pub(super) struct Radii {
     pub(super) c: Vec<(f64, f64)>,
 }
 
-/// The cycles of [T8] as far as `end` in `Omega_1`: of the supercritical edge and of the subcritical one.
+/// The cycles of \[T8\] as far as `end` in `Omega_1`: of the supercritical edge and of the subcritical one.
 ///
 /// # Errors
 /// Those of [`cycles`].

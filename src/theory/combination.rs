@@ -43,19 +43,19 @@ pub fn half_width_printed(modes: &Modes) -> f64 {
     4.0 * modes.k * emanating_frequency(modes) / modes.spread().powi(2)
 }
 
-/// Half-width per `k0`, `sqrt(W_2 W_3) = sqrt(2 k) (k/m)^(1/4) / (a - b)`: what (105) should be. [T4].
+/// Half-width per `k0`, `sqrt(W_2 W_3) = sqrt(2 k) (k/m)^(1/4) / (a - b)`: what (105) should be. \[T4\].
 pub fn half_width(modes: &Modes) -> f64 {
     (2.0 * modes.k).sqrt() * (modes.k / modes.m).powf(0.25) / modes.spread()
 }
 
-/// The couplings `H_2 = |b| omega_2 / (4 (a - b))`, `H_3 = a omega_3 / (4 (a - b))` of [T8], by which each mode drives
+/// The couplings `H_2 = |b| omega_2 / (4 (a - b))`, `H_3 = a omega_3 / (4 (a - b))` of \[T8\], by which each mode drives
 /// the other, per `k0`.
 pub fn couplings(modes: &Modes) -> [f64; 2] {
     Mode::BOTH
         .map(|mode| modes.coefficient(mode.partner()).abs() * modes.frequency(mode) / (4.0 * modes.spread()))
 }
 
-/// `g_2 = 48 alpha omega_2 / (a (a - b))`, `g_3 = -48 alpha omega_3 / (b (a - b))` of [T8]: how much each mode's
+/// `g_2 = 48 alpha omega_2 / (a (a - b))`, `g_3 = -48 alpha omega_3 / (b (a - b))` of \[T8\]: how much each mode's
 /// frequency rises with the square of its amplitude. Here `alpha` is the model's own, not the paper's.
 pub fn frequency_shifts(modes: &Modes, alpha: f64) -> [f64; 2] {
     Mode::BOTH.map(|mode| 48.0 * alpha * modes.frequency(mode) / modes.weight(mode))
@@ -125,7 +125,7 @@ pub fn origin_jacobian_printed(modes: &Modes, omega_1: f64) -> [[f64; 4]; 4] {
     [[0.0, -p, 0.0, k], [p, 0.0, k, 0.0], [0.0, k, 0.0, q], [k, 0.0, -q, 0.0]]
 }
 
-/// (110) with its rows multiplied by their [rates](rates): growth rates per `k0` are the eigenvalues of this.
+/// (110) with its rows multiplied by their [`rates`]: growth rates per `k0` are the eigenvalues of this.
 pub fn origin_jacobian(modes: &Modes, omega_1: f64) -> [[f64; 4]; 4] {
     let [second, third] = rates(modes);
     let mut jacobian = origin_jacobian_printed(modes, omega_1);
@@ -194,7 +194,7 @@ pub fn is_spiral_printed(modes: &Modes, omega_1: f64) -> bool {
     omega_1.abs() < half_width_printed(modes)
 }
 
-/// Whether the origin is unstable, undamped and to first order: (113) with the right half-width [T4].
+/// Whether the origin is unstable, undamped and to first order: (113) with the right half-width \[T4\].
 pub fn is_unstable(modes: &Modes, omega_1: f64) -> bool {
     omega_1.abs() < half_width(modes)
 }

@@ -1,7 +1,7 @@
 //! The paper's formulas, as printed and corrected: one function an equation, its number in its doc.
 //!
 //! `_printed` in a name means by the letter of the paper where the paper errs or another form computes better; the
-//! plain name is what holds. Numbers in round brackets are the paper's; those in square brackets, [T1] to [T8], are
+//! plain name is what holds. Numbers in round brackets are the paper's; those in square brackets, \[T1\] to \[T8\], are
 //! results beyond it, listed in `docs/equations.md`. Nothing here integrates or uses `numerics`, so that comparing the
 //! two means something.
 //!

@@ -21,7 +21,7 @@ import { givenByAttributes } from "./attributes.js";
 import { createButtons } from "./bar.js";
 import { Computation } from "./computation.js";
 import { frameAt, pixelUnder } from "./frames.js";
-import { elements, plain } from "./markup.js";
+import { plain, sentence } from "./markup.js";
 import { Clock } from "./motion.js";
 import { forgetPaint, requestPaint } from "./paint-queue.js";
 import { watchPointer } from "./pointer.js";
@@ -169,6 +169,7 @@ export class GearFigure extends HTMLElement {
     const { stage, canvas } = this.#parts;
     if (this.#figure === null || this.#services === null || stage.clientWidth < NARROWEST) return;
     const theme = resolveTheme(this.getAttribute("theme") ?? this.#services.store.state.theme);
+    fitStore(canvas, stage, density());
     const view = { ...this.#turning?.direction, ...(this.#clock && { time: this.#clock.time }) };
     try {
       this.#maps = this.#services.engine.draw(this.#figure, canvas, { theme, density: density(), view });
@@ -356,12 +357,12 @@ export class GearFigure extends HTMLElement {
   }
 
   /**
-   * @param {string} markup
+   * @param {string} text
    * @param {boolean} [wrong]
    */
-  #say(markup, wrong = false) {
+  #say(text, wrong = false) {
     const { status } = this.#parts;
-    status.replaceChildren(elements(markup));
+    status.replaceChildren(sentence(text));
     if (this.#leftOut !== "") status.prepend(`${this.#leftOut} `);
     status.classList.toggle("wrong", wrong || this.#leftOut !== "");
   }
@@ -387,6 +388,20 @@ export class GearFigure extends HTMLElement {
   #tell(name, detail) {
     this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
   }
+}
+
+/**
+ * As many pixels as the place has at this density. Setting the size clears a canvas, so it is set only when it changes.
+ *
+ * @param {HTMLCanvasElement} canvas
+ * @param {HTMLElement} stage
+ * @param {number} pixels  A CSS pixel.
+ */
+function fitStore(canvas, stage, pixels) {
+  const width = Math.round(stage.clientWidth * pixels);
+  const height = Math.round(stage.clientHeight * pixels);
+  if (canvas.width !== width) canvas.width = width;
+  if (canvas.height !== height) canvas.height = height;
 }
 
 /**

@@ -37,6 +37,27 @@ export function plain(markup) {
   );
 }
 
+const NAME = /\b(Omega|alpha|zeta|lambda|epsilon)(?:_(\w+))?\b|\b([RBCu])_(\w+)\b|\bk0\b|\b[uRtT](?= =)|'|-(?=[\d.])/g;
+/** @type {Readonly<Record<string, string>>} */
+const GREEK = { Omega: "Ω", alpha: "α", zeta: "ζ", lambda: "λ", epsilon: "ε" };
+
+/**
+ * A sentence in plain text, its quantities set as in the formulas: `Omega_1` becomes an italic letter with its index.
+ *
+ * @param {string} text
+ * @returns {DocumentFragment}
+ */
+export function sentence(text) {
+  const markup = text.replace(NAME, (all, greek, greekIndex, letter, index) => {
+    if (all === "'") return "’";
+    if (all === "-") return "−";
+    if (all === "k0") return "*k*_{0}";
+    const lowered = greekIndex ?? index;
+    return `*${GREEK[greek] ?? letter ?? all}*${lowered === undefined ? "" : `_{${lowered}}`}`;
+  });
+  return elements(markup);
+}
+
 /**
  * A hyphen before a number is a minus.
  *

@@ -9,7 +9,7 @@
 
 import { showTo } from "../controls/number.js";
 import { dataAt, frameAt, frameOf, pixelOf, pixelSize } from "./frames.js";
-import { elements, plain } from "./markup.js";
+import { elements, sentence } from "./markup.js";
 
 /** As near as this to a curve or mark is on it, CSS pixels. */
 const NEAR = 9;
@@ -34,7 +34,7 @@ export function readout(figure, maps, pixel) {
   // A scale along one line has no second coordinate.
   if (frame.y.label !== "") words.append(", ", elements(frame.y.label), ` = ${showTo(y, size.y)}`);
   const meaning = under(figure, map, pixel);
-  if (meaning !== null) words.append(`: ${plain(meaning)}`);
+  if (meaning !== null) words.append(": ", sentence(meaning));
   return words;
 }
 

@@ -20,6 +20,7 @@ const STYLE = `
 .stage > canvas { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; display: block; }
 .stage > slot { position: absolute; inset: 0; display: block; }
 .stage.live > slot { display: none; }
+::slotted(img) { inline-size: 100%; block-size: 100%; object-fit: contain; }
 canvas.turns { cursor: grab; }
 canvas.turns.grasped { cursor: grabbing; }
 canvas.plane { cursor: crosshair; }
@@ -64,6 +65,9 @@ caption { text-align: start; padding-block: 0.25rem; color: var(--quiet, #555); 
 th, td { text-align: end; padding: 0.05rem 0.75rem 0.05rem 0; font-weight: 400; }
 th { border-block-end: 1px solid var(--rule, #bbb); }
 .data p { margin: 0 0 0.5rem; font-size: 0.9375rem; max-inline-size: 42rem; }
+@container (inline-size < 30rem) {
+  .stage { aspect-ratio: var(--narrow-aspect, var(--aspect, 1.7)); }
+}
 @container (inline-size >= 34rem) {
   .bar > .status { grid-area: 1 / 1; align-self: center; }
   .bar > .readout:not(:empty) ~ .status { visibility: hidden; }

@@ -7,7 +7,7 @@
  * @typedef {{name: string, label: string, values: ArrayLike<number>}} Column
  */
 
-import { elements, plain } from "./markup.js";
+import { elements, plain, sentence } from "./markup.js";
 
 /** Rows in all tables of a figure together. */
 const ROWS = 360;
@@ -27,9 +27,9 @@ const SHAPES = new Set(["body-first", "body-second", "link", "dead-zone", "refer
  */
 export function showTables(details, figure) {
   const words = document.createElement("p");
-  words.append(elements(figure.summary));
+  words.append(sentence(figure.summary));
   const method = document.createElement("p");
-  method.append("Method: ", elements(figure.method));
+  method.append("Method: ", sentence(figure.method));
   const scroll = document.createElement("div");
   // A region that scrolls must be reachable by keys.
   scroll.tabIndex = 0;
@@ -77,7 +77,7 @@ function seriesTable(figure, series, rows) {
     columns.push({ name: frame?.[axis]?.name ?? axis, label: frame?.[axis]?.label ?? axis, values });
   }
   const where = frame?.title ? ` (${plain(frame.title)})` : "";
-  return table(`${plain(series.meaning)}${where}`, columns, rows);
+  return table(`${series.meaning}${where}`, columns, rows);
 }
 
 /**
@@ -90,7 +90,7 @@ function table(title, columns, rows) {
   const count = columns[0].values.length;
   const shown = Math.min(count, rows);
   const caption = made.createCaption();
-  caption.textContent = shown < count ? `${title}: ${shown} of ${count} points` : title;
+  caption.append(sentence(shown < count ? `${title}: ${shown} of ${count} points` : title));
   const head = made.createTHead().insertRow();
   for (const { label } of columns) {
     const cell = document.createElement("th");

@@ -1,0 +1,241 @@
+// What every browser test begins with: a page that must stay silent and at home, and ways to ask its figures.
+
+import { test as base, expect } from "@playwright/test";
+
+/**
+ * @typedef {import("@playwright/test").Page} Page
+ * @typedef {import("../../www/engine/gear-bifurcations.js").Figure} Figure
+ * @typedef {import("../../www/engine/gear-bifurcations.js").FrameMap} FrameMap
+ * @typedef {import("../../www/figure/gear-figure.js").GearFigure} GearFigure
+ * @typedef {Omit<Figure["series"][number], "columns"> & {columns: {x: number[], y: number[], z?: number[]}}} PlainSeries
+ * @typedef {Omit<Figure, "series" | "motion"> & {series: PlainSeries[]}} PlainFigure  A figure as it comes out of the browser.
+ * @typedef {[number, number, number]} Color
+ */
+
+/** Figures in the order of the page. */
+export const IDS = (
+  "1 2 3 4 5 6 7 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c 14a 14b"
+).split(" ");
+
+/** The colours that mean something, light theme. @type {Record<"exact" | "paper" | "corrected" | "supercritical" | "subcritical", Color>} */
+export const COLORS = {
+  exact: [0, 114, 178],
+  paper: [128, 132, 137],
+  corrected: [0, 158, 115],
+  supercritical: [0, 158, 115],
+  subcritical: [246, 205, 34],
+};
+
+/** Every test: no console line, no uncaught error, no request but to the page's own origin. */
+export const test = base.extend({
+  page: async ({ page, baseURL }, use) => {
+    /** @type {string[]} */
+    const noise = [];
+    const origin = new URL(baseURL ?? "http://127.0.0.1").origin;
+    page.on("console", (message) => noise.push(`console ${message.type()}: ${message.text()}`));
+    page.on("pageerror", (error) => noise.push(`uncaught: ${error.message}`));
+    page.on("request", (request) => {
+      const url = request.url();
+      if (!url.startsWith(`${origin}/`) && !url.startsWith("data:") && !url.startsWith("blob:")) noise.push(`request: ${url}`);
+    });
+    page.on("response", (response) => {
+      if (response.status() >= 400) noise.push(`status ${response.status()}: ${response.url()}`);
+    });
+    await use(page);
+    expect(noise).toEqual([]);
+  },
+});
+
+export { expect };
+
+/**
+ * Opens the page and waits until every figure is drawn.
+ *
+ * @param {Page} page
+ * @param {string} [address]
+ */
+export async function open(page, address = "./?test") {
+  await page.goto(address);
+  await expect.poll(() => marked(page, "all-figures"), { timeout: 30_000 }).not.toBeNull();
+}
+
+/**
+ * When the page set a mark, ms after navigation; null before.
+ *
+ * @param {Page} page
+ * @param {string} name
+ */
+export function marked(page, name) {
+  return page.evaluate((wanted) => performance.getEntriesByName(wanted)[0]?.startTime ?? null, name);
+}
+
+/**
+ * @param {Page} page
+ * @param {string} id
+ */
+export function figure(page, id) {
+  return page.locator(`gear-figure[figure="${id}"]`);
+}
+
+/**
+ * What a figure's `data()` promises, as plain numbers.
+ *
+ * @param {Page} page
+ * @param {string} id
+ * @returns {Promise<PlainFigure>}
+ */
+export async function data(page, id) {
+  const text = await figure(page, id).evaluate(async (element) => {
+    const answer = await /** @type {GearFigure} */ (element).data();
+    return JSON.stringify(answer, (_, value) => (ArrayBuffer.isView(value) ? [...(/** @type {Float64Array} */ (value))] : value));
+  });
+  return JSON.parse(text);
+}
+
+/**
+ * @param {PlainFigure} from
+ * @param {string} name
+ * @returns {PlainSeries}
+ */
+export function series(from, name) {
+  const found = from.series.find((one) => one.name === name);
+  if (!found) throw new Error(`no series "${name}" in figure ${from.id}; there are ${from.series.map((one) => one.name).join(", ")}`);
+  return found;
+}
+
+/**
+ * A series' value over x, by linear interpolation; of several branches over the same x the one with the largest y.
+ *
+ * @param {PlainSeries} of
+ * @param {number} at
+ */
+export function valueAt(of, at) {
+  const { x, y } = of.columns;
+  let best = -Infinity;
+  for (let index = 1; index < x.length; index += 1) {
+    const [left, right] = [x[index - 1], x[index]];
+    if ((left - at) * (right - at) > 0 || left === right) continue;
+    best = Math.max(best, y[index - 1] + ((at - left) / (right - left)) * (y[index] - y[index - 1]));
+  }
+  return best;
+}
+
+/**
+ * The map between pixels and data of a figure's last drawing.
+ *
+ * @param {Page} page
+ * @param {string} id
+ * @returns {Promise<FrameMap[]>}
+ */
+export async function map(page, id) {
+  const text = await figure(page, id).evaluate((element) =>
+    JSON.stringify(/** @type {GearFigure} */ (element).map(), (_, value) =>
+      ArrayBuffer.isView(value) ? [...(/** @type {Float64Array} */ (value))] : value,
+    ),
+  );
+  return JSON.parse(text).frames;
+}
+
+/**
+ * Waits until a figure's canvas has been drawn with what it last computed.
+ *
+ * @param {Page} page
+ * @param {string} id
+ */
+export async function settled(page, id) {
+  await figure(page, id).evaluate(async (element) => {
+    await /** @type {GearFigure} */ (element).data();
+    for (let frame = 0; frame < 4; frame += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+  });
+}
+
+/**
+ * How many CSS pixels lie between a point of a frame, in data, and the nearest pixel of a colour; Infinity for none within reach.
+ *
+ * @param {Page} page
+ * @param {string} id
+ * @param {{frame: string, x: number, y: number, color: Color, reach?: number}} wanted
+ */
+export function distanceToColor(page, id, { frame, x, y, color, reach = 12 }) {
+  return figure(page, id).evaluate(
+    (element, given) => {
+      const canvas = element.shadowRoot?.querySelector("canvas");
+      const of = /** @type {GearFigure} */ (element).map()?.frames.find(({ name }) => name === given.frame);
+      if (!canvas || !of) throw new Error(`no frame ${given.frame}`);
+      const { plot } = of;
+      const left = plot.left + ((given.x - of.x.low) / (of.x.high - of.x.low)) * (plot.right - plot.left);
+      const top = plot.bottom - ((given.y - of.y.low) / (of.y.high - of.y.low)) * (plot.bottom - plot.top);
+      const density = canvas.width / canvas.clientWidth;
+      const side = Math.ceil(2 * given.reach * density);
+      const from = [Math.round((left - given.reach) * density), Math.round((top - given.reach) * density)];
+      const pixels = canvas.getContext("2d")?.getImageData(from[0], from[1], side, side).data ?? [];
+      let best = Infinity;
+      for (let index = 0; index < side * side; index += 1) {
+        const off = [0, 1, 2].reduce((sum, part) => sum + Math.abs(pixels[4 * index + part] - given.color[part]), 0);
+        if (off > 60) continue;
+        const across = (from[0] + (index % side) + 0.5) / density - left;
+        const down = (from[1] + Math.floor(index / side) + 0.5) / density - top;
+        best = Math.min(best, Math.hypot(across, down));
+      }
+      return best;
+    },
+    { frame, x, y, color, reach },
+  );
+}
+
+/**
+ * In how many pixels of each frame's plot the canvas differs from the same figure without its series.
+ *
+ * @param {Page} page
+ * @param {string} id
+ * @returns {Promise<Record<string, number>>}
+ */
+export function ink(page, id) {
+  return figure(page, id).evaluate(async (element) => {
+    const live = /** @type {GearFigure} */ (element);
+    const canvas = element.shadowRoot?.querySelector("canvas");
+    const shown = await live.data();
+    const frames = live.map()?.frames ?? [];
+    if (!canvas) throw new Error("no canvas");
+    const density = canvas.width / canvas.clientWidth;
+    const empty = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
+    Object.assign(empty.style, { width: `${canvas.clientWidth}px`, height: `${canvas.clientHeight}px`, position: "fixed", left: "-9999px" });
+    document.body.append(empty);
+    const { engine } = /** @type {any} */ (window).__gear;
+    engine.draw({ ...shown, series: [] }, empty, { theme: "light", density });
+    /** @type {Record<string, number>} */
+    const counts = {};
+    for (const { name, plot } of frames) {
+      const box = /** @type {const} */ ([
+        Math.round(plot.left * density),
+        Math.round(plot.top * density),
+        Math.round((plot.right - plot.left) * density),
+        Math.round((plot.bottom - plot.top) * density),
+      ]);
+      const [full, bare] = [canvas, empty].map((one) => one.getContext("2d")?.getImageData(...box).data ?? []);
+      counts[name] = 0;
+      for (let index = 0; index < full.length; index += 4) {
+        const differs = [0, 1, 2].some((part) => Math.abs(full[index + part] - bare[index + part]) > 24);
+        counts[name] += differs ? 1 : 0;
+      }
+    }
+    empty.remove();
+    return counts;
+  });
+}
+
+/**
+ * A control of a figure; opens the further ones if it is among them.
+ *
+ * @param {Page} page
+ * @param {string} id
+ * @param {string} parameter
+ */
+export async function control(page, id, parameter) {
+  const home = figure(page, id);
+  await home.scrollIntoViewIfNeeded();
+  await home.locator(".panel").waitFor();
+  const wanted = home.locator(`.control[data-parameter="${parameter}"]`);
+  if ((await wanted.count()) === 0) await home.locator(".more > summary").click();
+  return { box: wanted.getByRole("spinbutton"), slider: wanted.getByRole("slider"), complaint: wanted.locator(".complaint") };
+}
