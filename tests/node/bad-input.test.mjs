@@ -322,7 +322,7 @@ test("parameters at the ends of their ranges: a refusal or a finite answer, in b
   };
   // The loads' frequencies follow the mesh's: a common period of 35 mesh periods is a search of minutes.
   const within = table.filter((/** @type {any} */ info) => info.follows !== "Omega");
-  for (let round = 0; round < 40; round += 1) {
+  for (let round = 0; round < 12; round += 1) {
     const corner = within.map((/** @type {any} */ { name, slider, default: usual }) => {
       return [name, [...slider, usual][Math.floor(3 * random())]];
     });
