@@ -461,3 +461,22 @@ fn no_slider_breaks_a_figure_that_is_integrated() {
         }
     }
 }
+
+#[test]
+fn even_the_picture_before_the_first_step_can_be_drawn() {
+    use gear_bifurcations::chart::{svg, theme::Theme, view::View};
+    let theme = Theme::by_name("dark").expect("there is a dark theme");
+    for specification in specifications() {
+        let figure = Job::new(specification.id, &[]).expect("valid").figure();
+        let drawn = svg(
+            &figure.drawing,
+            specification.title,
+            &figure.summary,
+            (480.0, 320.0),
+            &theme,
+            &View::default(),
+        );
+        assert!(drawn.is_ok(), "{}: {drawn:?}", specification.id);
+        assert!(!figure.summary.is_empty());
+    }
+}

@@ -137,28 +137,28 @@ static SPECIFICATIONS: [Specification; 21] = [
     determinants(
         "2",
         "Determinants in the tongue of the second mode",
-        "Determinant of the slow flow's Jacobian at its equilibria, (68)-(70): above zero a centre, below zero a \
+        "Determinant of the slow flow's Jacobian at its equilibria, (68)–(70): above zero a centre, below zero a \
             saddle. The stars at *Ω*_{L} and *Ω*_{R} mark the pitchforks, where two of the curves meet on the axis.",
     ),
     branches(
         "3",
         "Pitchforks in the tongue of the second mode",
-        "Amplitude *R*_{B} of the second mode over the detuning *Ω*_{1} = (*Ω* - *Ω*_{0})/*k*_{0}, for hardening (+*α*) and \
-            softening (-*α*) supports, as a plane diagram and in space. Grey: the paper's (62)-(64), without damping; \
+        "Amplitude *R*_{B} of the second mode over the detuning *Ω*_{1} = (*Ω* − *Ω*_{0})/*k*_{0}, for hardening (+*α*) and \
+            softening (−*α*) supports, as a plane diagram and in space. Grey: the paper's (62)–(64), without damping; \
             green: with damping. Solid is stable, dashed unstable; the green star is a supercritical pitchfork, the \
             yellow star a subcritical one.",
     ),
     determinants(
         "4",
         "Determinants in the tongue of the third mode",
-        "The same as figure 2 for the third mode, (92)-(94): the Jacobian's determinant at the equilibria over \
+        "The same as figure 2 for the third mode, (92)–(94): the Jacobian's determinant at the equilibria over \
             *Ω*_{1}, with the pitchforks at *Ω*_{L} and *Ω*_{R}.",
     ),
     branches(
         "5",
         "Pitchforks in the tongue of the third mode",
         "The same as figure 3 for the third mode: amplitude *R*_{C} over *Ω*_{1} for hardening and softening supports. \
-            Grey: the paper's (87)-(89), without damping; green: with damping, which narrows this tongue by much more.",
+            Grey: the paper's (87)–(89), without damping; green: with damping, which narrows this tongue by much more.",
     ),
     Specification {
         id: "6",
@@ -175,7 +175,7 @@ static SPECIFICATIONS: [Specification; 21] = [
         "Hopf bifurcations in the combination tongue",
         "Radii *R*_{B} and *R*_{C} of the limit cycles over *Ω*_{1}, for hardening and softening supports, and the cycles \
             in space. With damping (green) a stable cycle is born at the supercritical edge and goes on beyond the other \
-            edge, where an unstable one is born. Grey: the nontrivial solutions of (106)-(109) as printed.",
+            edge, where an unstable one is born. Grey: the nontrivial solutions of (106)–(109) as printed.",
     ),
     Specification {
         id: "8",
@@ -200,7 +200,7 @@ static SPECIFICATIONS: [Specification; 21] = [
     overall(
         "10",
         "The whole diagram, softening supports",
-        "The same as figure 9 for softening supports (-*α*): every branch leans to lower *Ω*, and the supercritical edge of \
+        "The same as figure 9 for softening supports (−*α*): every branch leans to lower *Ω*, and the supercritical edge of \
             each tongue is the right one.",
     ),
     map(
