@@ -2,9 +2,320 @@
 
 #[path = "chart/demonstration.rs"]
 mod demonstration;
+#[path = "chart/recorder.rs"]
+mod recorder;
 
-use demonstration::all;
-use gear_bifurcations::chart::{Theme, View, svg};
+use demonstration::{all, axis, frame, pitchforks, response, series};
+use gear_bifurcations::chart::metrics::width;
+use gear_bifurcations::chart::{
+    Drawing, FrameMap, Mark, Role, SvgSurface, Theme, View, draw, pleasant_height, svg,
+};
+use gear_bifurcations::error::ChartError;
+use plotters::prelude::{IntoFont, TextStyle};
+use plotters_backend::DrawingBackend;
+use recorder::{Call, Recorder};
+
+const WIDTHS: [f64; 5] = [320.0, 360.0, 520.0, 900.0, 1600.0];
+
+fn light() -> Theme {
+    Theme::by_name("light").unwrap()
+}
+
+fn recorded(drawing: &Drawing, size: (f64, f64), units: i32) -> (Vec<FrameMap>, Vec<(Option<String>, Call)>) {
+    let mut recorder = Recorder::new(size.0, size.1, units);
+    let maps = draw(&mut recorder, drawing, &light(), &View::default()).unwrap();
+    (maps, recorder.calls)
+}
+
+/// Boxes of all letters: left, top, right, bottom; capitals and descenders, without the air about them.
+fn letter_boxes(calls: &[(Option<String>, Call)]) -> Vec<(String, [f64; 4])> {
+    calls
+        .iter()
+        .filter_map(|(_, call)| match call {
+            Call::Letters { runs, at, upwards } => {
+                let text: String = runs.iter().map(|run| run.text.as_str()).collect();
+                let end =
+                    runs.iter().map(|run| run.x + width(&run.text, run.face, run.size)).fold(0.0, f64::max);
+                let over = runs.iter().map(|run| 0.66 * run.size - run.y).fold(0.0, f64::max);
+                let under = runs.iter().map(|run| 0.1 * run.size + run.y).fold(0.0, f64::max);
+                Some(if *upwards {
+                    (text, [at[0] - over, at[1] - end, at[0] + under, at[1]])
+                } else {
+                    (text, [at[0], at[1] - over, at[0] + end, at[1] + under])
+                })
+            }
+            _ => None,
+        })
+        .collect()
+}
+
+#[test]
+fn no_curve_band_or_cloud_leaves_its_frame() {
+    for (name, drawing, aspect) in all() {
+        for width in WIDTHS {
+            let (maps, calls) = recorded(&drawing, (width, pleasant_height(&drawing, aspect, width)), 100);
+            let mut checked = 0;
+            for (owner, call) in &calls {
+                let Some(series) =
+                    owner.as_ref().and_then(|name| drawing.series.iter().find(|s| s.name == *name))
+                else {
+                    continue;
+                };
+                let points = match call {
+                    Call::Path { points, .. } | Call::Cloud { points, .. } => points.clone(),
+                    Call::Polygon { corners } => corners.clone(),
+                    Call::Rectangle { corners } => corners.to_vec(),
+                    Call::Circle { .. } | Call::Letters { .. } => continue,
+                };
+                if series.mark == Mark::Marks {
+                    continue;
+                }
+                let [left, top, right, bottom] = maps[series.frame].plot;
+                for [x, y] in points {
+                    let inside = (left..=right).contains(&x) && (top..=bottom).contains(&y);
+                    assert!(inside, "{name} at {width}: {} at {x}, {y}", series.name);
+                    checked += 1;
+                }
+            }
+            assert!(checked > 20, "{name} at {width}: only {checked} points");
+        }
+    }
+}
+
+#[test]
+fn no_word_is_cut_off_and_none_lies_over_another() {
+    for (name, drawing, aspect) in all() {
+        for width in WIDTHS {
+            let height = pleasant_height(&drawing, aspect, width);
+            let (_, calls) = recorded(&drawing, (width, height), 100);
+            let boxes = letter_boxes(&calls);
+            assert!(boxes.len() > 3);
+            for (i, (text, [left, top, right, bottom])) in boxes.iter().enumerate() {
+                let inside = *left >= 0.0 && *top >= 0.0 && *right <= width && *bottom <= height;
+                assert!(inside, "{name} at {width}: \"{text}\" is cut off");
+                for (other, [l, t, r, b]) in &boxes[..i] {
+                    let apart = r <= left || right <= l || b <= top || bottom <= t;
+                    assert!(apart, "{name} at {width}: \"{text}\" lies over \"{other}\"");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_frame_map_is_where_the_curve_is() {
+    let (low, high) = (-2.0, 7.0);
+    let mut line = series(0, "line", Role::Exact, Mark::Curve);
+    (line.x, line.y) = (vec![0.5, 3.5], vec![-1.0, 6.0]);
+    let drawing = Drawing {
+        grid: (1, 1),
+        frames: vec![frame("f", "title", (0, 0), axis("x", "*x*", 0.0, 4.0), axis("y", "*y*", low, high))],
+        series: vec![line],
+    };
+    let (maps, calls) = recorded(&drawing, (500.0, 300.0), 100);
+    let map = &maps[0];
+    let pixel = |x: f64, y: f64| {
+        let [left, top, right, bottom] = map.plot;
+        let across = (x - map.x.0) / (map.x.1 - map.x.0);
+        let up = (y - map.y.0) / (map.y.1 - map.y.0);
+        [left + across * (right - left), bottom - up * (bottom - top)]
+    };
+    let found: Vec<[f64; 2]> = calls
+        .iter()
+        .filter_map(|(owner, call)| match call {
+            Call::Path { points, .. } if owner.as_deref() == Some("line") => Some(points.clone()),
+            _ => None,
+        })
+        .flatten()
+        .collect();
+    let expected = [pixel(0.5, -1.0), pixel(3.5, 6.0)];
+    assert_eq!(found.len(), 2);
+    for (one, other) in found.iter().zip(&expected) {
+        assert!(
+            (one[0] - other[0]).abs() <= 0.005 && (one[1] - other[1]).abs() <= 0.005,
+            "{one:?} {other:?}"
+        );
+    }
+}
+
+#[test]
+fn the_projection_is_where_the_mark_is() {
+    let drawing = pitchforks();
+    let (maps, calls) = recorded(&drawing, (900.0, 660.0), 100);
+    let rows = maps[1].projection.expect("the second frame is one in space");
+    let star = drawing.series.iter().find(|s| s.frame == 1 && s.role == Role::Supercritical).unwrap();
+    let point = [star.x[0], star.y[0], star.z[0], 1.0];
+    let pixel = rows.map(|row| row.iter().zip(&point).map(|(a, b)| a * b).sum::<f64>());
+    // The star's polygon has its middle there: five tips and five notches about it.
+    let hit = calls.iter().any(|(_, call)| match call {
+        Call::Polygon { corners } if corners.len() == 10 => (0..2).all(|i| {
+            let middle = corners.iter().map(|corner| corner[i]).sum::<f64>() / 10.0;
+            (middle - pixel[i]).abs() < 0.02
+        }),
+        _ => false,
+    });
+    assert!(hit, "{pixel:?}");
+}
+
+#[test]
+fn the_fineness_of_the_units_does_not_change_the_picture() {
+    let drawing = response();
+    let size = (640.0, 420.0);
+    let (coarse, fine) = (recorded(&drawing, size, 10), recorded(&drawing, size, 1000));
+    assert_eq!(coarse.0, fine.0);
+    let dashes = |calls: &[(Option<String>, Call)]| -> Vec<[f64; 2]> {
+        calls
+            .iter()
+            .filter(|(owner, _)| owner.as_deref() == Some("contact 0"))
+            .filter_map(|(_, call)| match call {
+                Call::Path { points, .. } => Some(points[0]),
+                _ => None,
+            })
+            .collect()
+    };
+    let (coarse, fine) = (dashes(&coarse.1), dashes(&fine.1));
+    assert!(coarse.len() > 100);
+    assert_eq!(coarse.len(), fine.len());
+    for (a, b) in coarse.iter().zip(&fine) {
+        assert!((a[0] - b[0]).abs() < 0.06 && (a[1] - b[1]).abs() < 0.06, "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn svg_is_the_same_every_time_and_holds_numbers_only() {
+    for (name, drawing, aspect) in all() {
+        let size = (700.0, pleasant_height(&drawing, aspect, 700.0));
+        let make = || svg(&drawing, "Title", "What it shows", size, &light(), &View::default()).unwrap();
+        let text = make();
+        assert_eq!(text, make(), "{name}");
+        for word in ["NaN", "inf", "e-", "e+"] {
+            assert!(
+                !text
+                    .split('"')
+                    .skip(1)
+                    .step_by(2)
+                    .any(|value| value.contains(word) && value.starts_with('M'))
+            );
+        }
+        assert!(text.contains("<title>Title</title>") && text.contains("<desc>What it shows</desc>"));
+        assert!(text.contains("role=\"img\"") && text.contains("viewBox=\"0 0 700"));
+        assert_eq!(text.matches("<g ").count(), text.matches("</g>").count());
+    }
+}
+
+#[test]
+fn a_cloud_is_one_path() {
+    let drawing = demonstration::clouds();
+    let text = svg(&drawing, "", "", (900.0, 350.0), &light(), &View::default()).unwrap();
+    assert_eq!(text.matches("stroke-linecap=\"round\"").count(), 6);
+    assert!(text.matches("h0M").count() > 9000);
+}
+
+#[test]
+fn what_is_no_number_is_refused_before_anything_is_drawn() {
+    let spoilers: [fn(&mut Drawing); 5] = [
+        |drawing| drawing.series[1].y[3] = f64::NAN,
+        |drawing| drawing.series[1].x[0] = f64::INFINITY,
+        |drawing| drawing.frames[0].x.high = f64::NAN,
+        |drawing| drawing.series[0].label_at = f64::NAN,
+        |drawing| drawing.frames[1].y.low = f64::NEG_INFINITY,
+    ];
+    for spoil in spoilers {
+        let mut drawing = response();
+        spoil(&mut drawing);
+        let mut recorder = Recorder::new(500.0, 400.0, 100);
+        let answer = draw(&mut recorder, &drawing, &light(), &View::default());
+        assert!(matches!(answer, Err(ChartError::NotFinite { .. })), "{answer:?}");
+        assert!(recorder.calls.is_empty());
+    }
+    let turned = View { azimuth: f64::NAN, elevation: 0.0 };
+    assert!(draw(&mut Recorder::new(500.0, 400.0, 100), &pitchforks(), &light(), &turned).is_err());
+}
+
+#[test]
+fn drawings_that_contradict_themselves_are_refused() {
+    let spoilers: [fn(&mut Drawing); 6] = [
+        |drawing| drawing.series[1].frame = 9,
+        |drawing| drawing.series[1].x.truncate(5),
+        |drawing| drawing.frames[0].x.high = drawing.frames[0].x.low,
+        |drawing| drawing.frames[0].cell = (1, 0),
+        |drawing| drawing.series[1].pieces = vec![5, 2],
+        |drawing| drawing.series[0].x.push(1.0),
+    ];
+    for spoil in spoilers {
+        let mut drawing = response();
+        spoil(&mut drawing);
+        let answer = draw(&mut Recorder::new(500.0, 400.0, 100), &drawing, &light(), &View::default());
+        assert!(matches!(answer, Err(ChartError::Malformed { .. })), "{answer:?}");
+    }
+}
+
+#[test]
+fn pictures_too_small_or_too_large_are_refused() {
+    for size in [(119.0, 300.0), (300.0, 119.0), (9000.0, 300.0), (f64::NAN, 300.0)] {
+        let answer = svg(&response(), "", "", size, &light(), &View::default());
+        assert!(matches!(answer, Err(ChartError::Size { .. })), "{size:?}");
+    }
+    for size in [(120.0, 120.0), (8192.0, 200.0)] {
+        for (name, drawing, _) in all() {
+            assert!(svg(&drawing, "", "", size, &light(), &View::default()).is_ok(), "{name} {size:?}");
+        }
+    }
+}
+
+#[test]
+fn wild_numbers_are_drawn_or_refused_but_never_passed_on() {
+    let wild = [0.0, -0.0, 1e-300, -1e-300, 1e300, -1e300, f64::MAX, f64::MIN, 1.0, -3.5, 1e9];
+    for (i, &a) in wild.iter().enumerate() {
+        for (j, &b) in wild.iter().enumerate() {
+            let mut drawing = response();
+            let line = &mut drawing.series[1];
+            (line.x[7], line.y[7]) = (a, b);
+            let (low, high) = if a < b { (a, b) } else { (0.0, 1.0) };
+            (drawing.frames[1].x.low, drawing.frames[1].x.high) = (low, high);
+            let mut recorder = Recorder::new(400.0, 300.0, 100);
+            let answer = draw(&mut recorder, &drawing, &light(), &View::default());
+            if answer.is_err() {
+                assert!(matches!(answer, Err(ChartError::NotFinite { .. })), "{i} {j} {answer:?}");
+            }
+            let far = |point: &[f64; 2]| !point.iter().all(|value| (-400.0..=1000.0).contains(value));
+            assert!(!recorder.calls.iter().any(|(_, call)| match call {
+                Call::Path { points, .. } => points.iter().any(far),
+                _ => false,
+            }));
+        }
+    }
+}
+
+#[test]
+fn turning_the_view_moves_what_is_in_space_alone() {
+    let drawing = pitchforks();
+    let maps = |azimuth: f64| {
+        let mut recorder = Recorder::new(900.0, 660.0, 100);
+        draw(&mut recorder, &drawing, &light(), &View { azimuth, elevation: 0.4 }).unwrap()
+    };
+    let (one, other) = (maps(0.3), maps(0.9));
+    assert_eq!(one[0], other[0]);
+    assert_eq!(one[1].plot, other[1].plot);
+    assert_ne!(one[1].projection, other[1].projection);
+    // A whole turn changes nothing, but for rounding.
+    let whole = maps(0.3 + std::f64::consts::TAU);
+    for (a, b) in
+        one[1].projection.unwrap().iter().flatten().zip(whole[1].projection.unwrap().iter().flatten())
+    {
+        assert!((a - b).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn plotters_own_text_needs_no_font() {
+    let mut surface = SvgSurface::new((200.0, 200.0)).unwrap();
+    let style = TextStyle::from(("serif", 1200.0).into_font());
+    let (wide, _) = surface.estimate_text_size("00", &style).unwrap();
+    assert_eq!(wide, 1188);
+    surface.draw_text("00", &style, (1000, 1000)).unwrap();
+    assert!(surface.finish("", "").contains(">00</tspan>"));
+}
 
 /// Writes every demonstration in every theme and two widths to `target/gallery`, to be looked at:
 /// `cargo test --test chart gallery -- --ignored`.
@@ -16,9 +327,9 @@ fn gallery() {
     for (name, drawing, aspect) in all() {
         for theme in ["light", "dark"] {
             for width in [900.0_f64, 360.0] {
-                let height = (width / aspect).max(260.0);
+                let size = (width, pleasant_height(&drawing, aspect, width));
                 let look = Theme::by_name(theme).unwrap();
-                let text = svg(&drawing, name, "", (width, height), &look, &View::default()).unwrap();
+                let text = svg(&drawing, name, "", size, &look, &View::default()).unwrap();
                 std::fs::write(folder.join(format!("{name}-{theme}-{width}.svg")), text).unwrap();
             }
         }

@@ -54,9 +54,10 @@ fn the_document_starts_main_and_nothing_else() {
     let document =
         fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("index.html")).expect("index.html");
     let started = javascript::module_scripts(&document);
+    let started: Vec<&str> = started.iter().map(|address| address.trim_start_matches("./")).collect();
     assert_eq!(
         started,
-        ["./www/main.js"],
-        "index.html must load main.js by a relative address, and no other script"
+        ["www/main.js"],
+        "index.html must load main.js by a relative address, and nothing else"
     );
 }

@@ -60,7 +60,13 @@ pub fn draw_axes<S: Surface>(
         };
         painter.label(&number, [x - hang, number_line], Align::Middle, theme.quiet, None)?;
     }
+    let mut last = f64::INFINITY;
     for (&y, text) in rows.iter().zip(&panel.y_ticks.labels) {
+        // In a very low plot not every number finds its line.
+        if last - y < sizes.tick {
+            continue;
+        }
+        last = y;
         let number = set(text, sizes.tick, Face::Regular);
         let at = [plot.left - TICK - TICK_GAP, y + cap / 2.0];
         painter.label(&number, at, Align::Right, theme.quiet, None)?;

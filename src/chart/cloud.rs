@@ -4,7 +4,7 @@
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coverage {
     /// Left and upper pixel of the image within the picture.
-    pub origin: (i32, i32),
+    pub origin: (usize, usize),
     /// Columns and rows.
     pub size: (usize, usize),
     /// Opacity of each pixel, 0 to 1, row by row.
@@ -12,7 +12,7 @@ pub struct Coverage {
 }
 
 /// Sub-pixel places in each direction for which a disc is computed once.
-const PLACES: usize = 8;
+const PLACES: i32 = 8;
 
 /// Opacity of discs of a diameter (at least half a pixel is drawn) at these places, all in pixels of the picture; overlapping discs add up as
 /// layers of paint do. None without points, or if all lie outside of the picture of this size.
@@ -46,29 +46,29 @@ pub fn coverage(
     let mut image = vec![1.0_f32; columns * rows];
     for &(x, y) in points.iter().filter(inside) {
         // The place within the pixel, to an eighth: finer is not seen.
-        let eighths = |value: f64| (value * PLACES as f64).round() as i64;
+        let eighths = |value: f64| (value * f64::from(PLACES)).round() as i32;
         let (fine_x, fine_y) = (eighths(x), eighths(y));
-        let places = PLACES as i64;
-        let place = fine_y.rem_euclid(places) as usize * PLACES + fine_x.rem_euclid(places) as usize;
-        let (first_x, first_y) =
-            (fine_x.div_euclid(places) - reach as i64, fine_y.div_euclid(places) - reach as i64);
+        let place = (fine_y.rem_euclid(PLACES) * PLACES + fine_x.rem_euclid(PLACES)) as usize;
+        let first = [fine_x, fine_y].map(|fine| fine.div_euclid(PLACES) - reach as i32);
         for row in 0..side {
-            let Some(to_row) = index(first_y + row as i64, top, rows) else { continue };
+            let Some(to_row) = index(first[1], row, top, rows) else { continue };
             for column in 0..side {
-                if let Some(to_column) = index(first_x + column as i64, left, columns) {
+                if let Some(to_column) = index(first[0], column, left, columns) {
                     image[to_row * columns + to_column] *= stamps[place][row * side + column];
                 }
             }
         }
     }
     // Held until here is what each pixel lets through.
-    image.iter_mut().for_each(|through| *through = 1.0 - *through);
-    Some(Coverage { origin: (left as i32, top as i32), size: (columns, rows), alpha: image })
+    for through in &mut image {
+        *through = 1.0 - *through;
+    }
+    Some(Coverage { origin: (left, top), size: (columns, rows), alpha: image })
 }
 
-/// Position within the image, if it is within.
-fn index(pixel: i64, origin: usize, count: usize) -> Option<usize> {
-    let offset = usize::try_from(pixel).ok()?.checked_sub(origin)?;
+/// Position within the image of a pixel so many after the first, if it is within.
+fn index(first: i32, after: usize, origin: usize, count: usize) -> Option<usize> {
+    let offset = after.checked_add_signed(first as isize)?.checked_sub(origin)?;
     (offset < count).then_some(offset)
 }
 
@@ -78,7 +78,7 @@ fn stamps(radius: f64, side: usize, alpha: f64) -> Vec<Vec<f32>> {
     (0..PLACES * PLACES)
         .map(|place| {
             let middle =
-                [(place % PLACES) as f64, (place / PLACES) as f64].map(|part| part / PLACES as f64 + reach);
+                [place % PLACES, place / PLACES].map(|part| f64::from(part) / f64::from(PLACES) + reach);
             (0..side * side)
                 .map(|pixel| {
                     let corner = [(pixel % side) as f64, (pixel / side) as f64];
@@ -113,8 +113,8 @@ mod tests {
             let image = coverage(&[place], 6.0, 1.0, (100, 100)).unwrap();
             let mut sums = [0.0_f64; 3];
             for (pixel, &alpha) in image.alpha.iter().enumerate() {
-                let x = f64::from(image.origin.0) + (pixel % image.size.0) as f64 + 0.5;
-                let y = f64::from(image.origin.1) + (pixel / image.size.0) as f64 + 0.5;
+                let x = image.origin.0 as f64 + (pixel % image.size.0) as f64 + 0.5;
+                let y = image.origin.1 as f64 + (pixel / image.size.0) as f64 + 0.5;
                 let alpha = f64::from(alpha);
                 sums = [sums[0] + alpha, sums[1] + alpha * x, sums[2] + alpha * y];
             }

@@ -85,17 +85,18 @@ fn draw_frame<S: Surface>(
     view: &View,
 ) -> Result<FrameMap, ChartError> {
     let frame = &drawing.frames[index];
-    let mut crowd = Crowd::new(panel.cell);
+    let mut crowd = Crowd::new(panel.cell, theme.ground);
     let solid = frame
         .z
         .as_ref()
         .map(|z| Projection::new([&frame.x, &frame.y, z], &panel.plot, panel.sizes.tick, view));
+    let context = Context { theme, plot: panel.plot, mark: panel.sizes.mark };
     let anchors = if let Some(projection) = &solid {
         draw_box(painter, frame, panel, projection, theme)?;
-        draw_solid(painter, own, projection, theme, &mut crowd)?
+        draw_solid(painter, own, projection, &context, &mut crowd)?
     } else {
         draw_axes(painter, frame, panel, theme)?;
-        let (map, context) = (panel.map(frame), Context { theme, plot: panel.plot });
+        let map = panel.map(frame);
         let mut anchors = Vec::with_capacity(own.len());
         for series in own {
             let drawn = series.mark != Mark::Text;
@@ -135,8 +136,9 @@ fn draw_labels<S: Surface>(
         .zip(anchors)
         .filter_map(|(series, anchor)| {
             let markup = series.label.as_ref().filter(|label| !label.is_empty())?.clone();
-            let color = theme.look(series.role, series.stable).text;
-            Some(Request { markup, size: panel.sizes.tick + 0.5, color, anchor: anchor? })
+            let look = theme.look(series.role, series.stable);
+            let size = panel.sizes.tick + 0.5;
+            Some(Request { markup, size, color: look.text, anchor: anchor? })
         })
         .collect();
     let placed = place(&requests, crowd, within);
@@ -146,7 +148,7 @@ fn draw_labels<S: Surface>(
         }
     }
     for found in &placed {
-        painter.label(&found.label, found.at, Align::Left, found.color, Some(theme.ground))?;
+        painter.label(&found.label, found.at, Align::Left, found.color, Some(found.ground))?;
     }
     Ok(())
 }

@@ -11,12 +11,16 @@ const CELL: f64 = 3.0;
 const GAPS: [f64; 4] = [3.5, 8.0, 16.0, 28.0];
 /// From this gap on a thin line leads from the label to what it names, CSS pixels.
 const LEADER_FROM: f64 = 14.0;
+/// Width of a plot that counts as small, CSS pixels.
+const SMALL: f64 = 320.0;
 /// Cost of a label over another, or over the edge: never worth it.
 const FORBIDDEN: f64 = 1e4;
 /// Cost of a pixel away from where the label is wanted.
 const NEARNESS: f64 = 0.12;
 /// Cost of a cell of ink under the label.
 const INK: f64 = 5.0;
+/// Cost of a cell of ink close to the label.
+const CLOSE_INK: f64 = 0.5;
 /// Sizes that are tried, over the wanted one.
 const SHRINKS: [f64; 3] = [1.0, 0.9, 0.8];
 
@@ -55,6 +59,8 @@ pub struct Placed {
     pub at: [f64; 2],
     /// Colour.
     pub color: Color,
+    /// Colour of the rim about its letters.
+    pub ground: Color,
     /// A thin line to what it names.
     pub leader: Option<([f64; 2], [f64; 2])>,
 }
@@ -66,14 +72,26 @@ pub struct Crowd {
     rows: usize,
     ink: Vec<bool>,
     boxes: Vec<Rect>,
+    words: Vec<Rect>,
+    ground: Color,
+    areas: Vec<(Vec<[f64; 2]>, Color)>,
 }
 
 impl Crowd {
-    /// An empty area.
-    pub fn new(area: Rect) -> Self {
+    /// An empty area of this ground.
+    pub fn new(area: Rect, ground: Color) -> Self {
         let count = |length: f64| (length / CELL).ceil().max(1.0) as usize;
         let (columns, rows) = (count(area.width()), count(area.height()));
-        Self { area, columns, rows, ink: vec![false; columns * rows], boxes: Vec::new() }
+        Self {
+            area,
+            columns,
+            rows,
+            ink: vec![false; columns * rows],
+            boxes: Vec::new(),
+            words: Vec::new(),
+            ground,
+            areas: Vec::new(),
+        }
     }
 
     /// Notes a polyline.
@@ -95,6 +113,17 @@ impl Crowd {
         if x >= 0.0 && y >= 0.0 && (x as usize) < self.columns && (y as usize) < self.rows {
             self.ink[y as usize * self.columns + x as usize] = true;
         }
+    }
+
+    /// Notes an area that is filled with a colour, over what was there.
+    pub fn add_area(&mut self, corners: Vec<[f64; 2]>, color: Color) {
+        self.areas.push((corners, color));
+    }
+
+    /// The colour a label at this point is written on.
+    fn ground_at(&self, point: [f64; 2]) -> Color {
+        let found = self.areas.iter().rev().find(|(corners, _)| within_polygon(corners, point));
+        found.map_or(self.ground, |(_, color)| *color)
     }
 
     /// Notes a box that no label may touch.
@@ -155,10 +184,16 @@ pub fn place(requests: &[Request], crowd: &mut Crowd, within: &Rect) -> Vec<Plac
                 continue;
             };
             let area = Rect::around(best.middle, label.width, label.height());
-            crowd.add_box(area);
+            crowd.words.push(area);
             let at = [area.left, area.top + label.ascent];
             let leader = best.from.map(|from| (from, nearest(&area.grown(1.5), from)));
-            placed.push(Placed { label, at, color: request.color, leader });
+            placed.push(Placed {
+                label,
+                at,
+                color: request.color,
+                ground: crowd.ground_at(best.middle),
+                leader,
+            });
             break;
         }
     }
@@ -177,14 +212,25 @@ fn best_place(
         return None;
     }
     let fixed = matches!(request.anchor, Anchor::Place(_));
+    // In a small plot a label across several lines hides what it should explain.
+    let most_ink =
+        if within.width() < SMALL && matches!(request.anchor, Anchor::Curve(..)) { 8.0 } else { f64::MAX };
     let mut best: Option<Candidate> = None;
     for mut candidate in candidates(&request.anchor, width, height, within) {
         let area = Rect::around(candidate.middle, width, height);
         let kept = area.grown(1.5);
-        if !fixed {
-            candidate.cost += INK * crowd.ink_in(sums, &kept);
-            let touches = crowd.boxes.iter().any(|taken| taken.overlaps(&kept));
-            if touches || !within.holds(&area.grown(1.0)) {
+        if fixed {
+            let over = crowd.words.iter().any(|taken| taken.grown(-1.0).overlaps(&area));
+            candidate.cost += if over { FORBIDDEN } else { 0.0 };
+        } else {
+            let ink = crowd.ink_in(sums, &kept);
+            // Ink close by makes a label belong to more than one line.
+            candidate.cost += INK * ink + CLOSE_INK * crowd.ink_in(sums, &area.grown(6.0));
+            // Words side by side would be read as one: they need more room to their sides.
+            let apart = Rect { left: kept.left - 8.0, right: kept.right + 8.0, ..kept };
+            let touches = crowd.boxes.iter().any(|taken| taken.overlaps(&kept))
+                || crowd.words.iter().any(|taken| taken.overlaps(&apart));
+            if touches || ink > most_ink || !within.holds(&area.grown(2.0)) {
                 candidate.cost += FORBIDDEN;
             }
         }
@@ -303,6 +349,18 @@ fn within_area(area: &Rect, fraction: f64, width: f64, height: f64) -> Vec<Candi
     found
 }
 
+/// Whether a point lies within a polygon: a ray to the right crosses its edges an odd number of times.
+fn within_polygon(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let mut inside = false;
+    for (index, a) in corners.iter().enumerate() {
+        let b = &corners[(index + 1) % corners.len()];
+        if (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
+            inside = !inside;
+        }
+    }
+    inside
+}
+
 fn nearest(area: &Rect, point: [f64; 2]) -> [f64; 2] {
     [point[0].clamp(area.left, area.right), point[1].clamp(area.top, area.bottom)]
 }
@@ -315,6 +373,7 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 mod tests {
     use super::{Anchor, Color, Crowd, Placed, Rect, Request, place};
 
+    const WHITE: Color = Color(255, 255, 255);
     const AREA: Rect = Rect { left: 0.0, top: 0.0, right: 300.0, bottom: 200.0 };
 
     fn request(markup: &str, anchor: Anchor) -> Request {
@@ -330,7 +389,7 @@ mod tests {
     fn labels_of_many_curves_keep_clear_of_each_other_and_the_lines() {
         let lines: Vec<Vec<[f64; 2]>> =
             (1..6).map(|i| (0..=30).map(|j| [f64::from(j) * 10.0, f64::from(i) * 32.0]).collect()).collect();
-        let mut crowd = Crowd::new(AREA);
+        let mut crowd = Crowd::new(AREA, WHITE);
         lines.iter().for_each(|line| crowd.add_line(line));
         let requests: Vec<Request> = lines
             .iter()
@@ -351,7 +410,7 @@ mod tests {
 
     #[test]
     fn a_mark_is_not_covered_by_its_name() {
-        let mut crowd = Crowd::new(AREA);
+        let mut crowd = Crowd::new(AREA, WHITE);
         let mark = Rect::around([150.0, 100.0], 14.0, 14.0);
         crowd.add_box(mark);
         let placed = place(&[request("Ω", Anchor::Mark([150.0, 100.0], 7.0))], &mut crowd, &AREA);
@@ -359,8 +418,18 @@ mod tests {
     }
 
     #[test]
+    fn a_label_on_an_area_has_the_rim_of_that_area() {
+        let mut crowd = Crowd::new(AREA, WHITE);
+        crowd.add_area(vec![[100.0, 50.0], [200.0, 50.0], [150.0, 150.0]], Color(1, 2, 3));
+        let texts =
+            [request("in", Anchor::Place([150.0, 90.0])), request("out", Anchor::Place([50.0, 90.0]))];
+        let placed = place(&texts, &mut crowd, &AREA);
+        assert_eq!((placed[0].ground, placed[1].ground), (Color(1, 2, 3), WHITE));
+    }
+
+    #[test]
     fn a_label_without_room_is_left_out() {
-        let mut crowd = Crowd::new(AREA);
+        let mut crowd = Crowd::new(AREA, WHITE);
         crowd.add_box(AREA);
         assert!(place(&[request("x", Anchor::Area(AREA, 0.5))], &mut crowd, &AREA).is_empty());
     }

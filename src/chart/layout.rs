@@ -3,6 +3,7 @@
 use super::drawing::{Drawing, Frame};
 use super::geometry::{PlaneMap, Rect};
 use super::metrics::Face;
+use super::svg::SIDES;
 use super::text::{Label, set, set_lines};
 use super::ticks::{Ticks, ticks};
 
@@ -16,6 +17,8 @@ const LABEL_GAP: f64 = 5.0;
 const EDGE: f64 = 4.0;
 /// Narrowest cell that is still left beside another, CSS pixels.
 const NARROW: f64 = 240.0;
+/// Lowest row that still holds a plot with its words, CSS pixels.
+const LOW: f64 = 130.0;
 /// Width over height that suits a plot.
 const PLEASANT: f64 = 1.45;
 
@@ -28,13 +31,15 @@ pub struct Sizes {
     pub label: f64,
     /// Titles.
     pub title: f64,
+    /// Marks, over their usual size.
+    pub mark: f64,
 }
 
 impl Sizes {
     /// Sizes that suit a cell of this width: smaller letters only where there is little room.
     fn for_cell(width: f64) -> Self {
         let tick = (10.5 + (width - 180.0) / 120.0).clamp(10.5, 13.0);
-        Self { tick, label: tick + 1.0, title: tick + 1.5 }
+        Self { tick, label: tick + 1.0, title: tick + 1.5, mark: (width / 300.0).clamp(0.75, 1.0) }
     }
 }
 
@@ -86,31 +91,57 @@ struct Arrangement {
     places: Vec<[usize; 4]>,
 }
 
-/// The grid as the drawing asks for it, or, where its cells would be too narrow, the frames stacked in reading order.
+/// The grid as the drawing asks for it.
+fn as_asked(drawing: &Drawing) -> Arrangement {
+    let places = drawing.frames.iter().map(|frame| [frame.cell.0, frame.cell.1, frame.span.0, frame.span.1]);
+    Arrangement { grid: drawing.grid, places: places.collect() }
+}
+
+/// The frames stacked in reading order, each as many rows high as it was.
+fn stacked(drawing: &Drawing) -> Arrangement {
+    let mut order: Vec<usize> = (0..drawing.frames.len()).collect();
+    order.sort_by_key(|&i| (drawing.frames[i].cell.1, drawing.frames[i].cell.0));
+    let mut places = vec![[0, 0, 1, 1]; order.len()];
+    let mut row = 0;
+    for frame in order {
+        let high = drawing.frames[frame].span.1.max(1);
+        places[frame] = [0, row, 1, high];
+        row += high;
+    }
+    Arrangement { grid: (1, row), places }
+}
+
+/// The grid as the drawing asks for it, or, where its cells would be too narrow, the frames stacked.
 fn arrange(drawing: &Drawing, width: f64, height: f64) -> Arrangement {
-    let asked = Arrangement {
-        grid: drawing.grid,
-        places: drawing.frames.iter().map(|f| [f.cell.0, f.cell.1, f.span.0, f.span.1]).collect(),
-    };
-    let (columns, rows) = drawing.grid;
-    if columns < 2 || width / columns as f64 >= NARROW {
+    let (asked, stacked) = (as_asked(drawing), stacked(drawing));
+    if drawing.grid.0 < 2 || width / drawing.grid.0 as f64 >= NARROW || stacked.grid.1 == 0 {
         return asked;
     }
-    let count = drawing.frames.len();
-    let strain = |columns: usize, rows: usize| {
-        let (cell_width, cell_height) = (width / columns as f64, height / rows as f64);
-        (cell_width / cell_height / PLEASANT).ln().abs() + (NARROW / cell_width).ln().max(0.0)
+    // How far the cells are from a pleasant form, and how far too narrow; of frames over several rows the whole counts.
+    let strain = |arrangement: &Arrangement| {
+        let (cell_width, cell_height) =
+            (width / arrangement.grid.0 as f64, height / arrangement.grid.1 as f64);
+        let forms = arrangement.places.iter().map(|place| {
+            let form = cell_width * place[2] as f64 / (cell_height * place[3] as f64);
+            (form / PLEASANT).ln().abs()
+        });
+        forms.sum::<f64>() / arrangement.places.len() as f64 + (NARROW / cell_width).ln().max(0.0)
     };
-    if count == 0 || strain(1, count) >= strain(columns, rows) {
-        return asked;
-    }
-    let mut order: Vec<usize> = (0..count).collect();
-    order.sort_by_key(|&i| (asked.places[i][1], asked.places[i][0]));
-    let mut places = vec![[0, 0, 1, 1]; count];
-    for (row, &frame) in order.iter().enumerate() {
-        places[frame][1] = row;
-    }
-    Arrangement { grid: (1, count), places }
+    if strain(&stacked) < strain(&asked) { stacked } else { asked }
+}
+
+/// Height that suits a drawing at a width, both in CSS pixels: the width over the aspect where the frames have room beside
+/// one another, otherwise so much that they can be stacked. Kept within the sides a picture may have.
+pub fn pleasant_height(drawing: &Drawing, aspect: f64, width: f64) -> f64 {
+    let columns = drawing.grid.0.max(1);
+    let rows = stacked(drawing).grid.1;
+    let high = drawing.frames.iter().map(|frame| frame.span.1).max().unwrap_or(1).max(1);
+    let height = if columns > 1 && rows > 0 && width / (columns as f64) < NARROW {
+        rows as f64 * (width / PLEASANT / high as f64).max(LOW)
+    } else {
+        (width / aspect).max((width / 1.5).min(220.0) * drawing.grid.1 as f64)
+    };
+    height.clamp(SIDES.0, SIDES.1)
 }
 
 /// Places every frame in a picture of a width and height in CSS pixels.
@@ -286,5 +317,68 @@ fn keep_aspect(frame: &Frame, panel: &mut Panel) {
         panel.x_ticks = across(frame.x.low, frame.x.high, panel.plot.width(), panel.sizes.tick);
         let most = (panel.plot.height() / (2.7 * panel.sizes.tick)) as usize;
         panel.y_ticks = ticks(frame.y.low, frame.y.high, most.clamp(2, 8));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::drawing::{Axis, Drawing, Frame};
+    use super::{arrange, panels, pleasant_height};
+
+    fn drawing(columns: usize, rows: usize) -> Drawing {
+        let axis = |label: &str| Axis { name: "x".into(), label: label.into(), low: -3.0, high: 1234.5 };
+        let frames = (0..columns * rows)
+            .map(|i| Frame {
+                name: format!("{i}"),
+                title: "a title of several words".into(),
+                x: axis("*Ω*_{1}"),
+                y: axis("a long label of a vertical axis"),
+                z: None,
+                cell: (i % columns, i / columns),
+                span: (1, 1),
+                equal_aspect: false,
+                bare: false,
+            })
+            .collect();
+        Drawing { grid: (columns, rows), frames, series: Vec::new() }
+    }
+
+    #[test]
+    fn plots_lie_in_their_cells_and_never_overlap() {
+        for (columns, rows) in [(1, 1), (2, 2), (3, 1), (2, 3)] {
+            let drawing = drawing(columns, rows);
+            for width in [320.0, 360.0, 600.0, 900.0, 1600.0] {
+                let height = pleasant_height(&drawing, 1.4, width);
+                let found = panels(&drawing, width, height);
+                for (i, panel) in found.iter().enumerate() {
+                    assert!(panel.cell.grown(1.0).holds(&panel.plot), "{columns} {rows} {width}");
+                    assert!(panel.plot.width() > 60.0 && panel.plot.height() > 40.0, "{:?}", panel.plot);
+                    assert!(panel.x_ticks.values.len() >= 2);
+                    assert!(found[..i].iter().all(|other| !other.cell.overlaps(&panel.cell)));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn plots_of_one_column_share_their_edges() {
+        let mut drawing = drawing(2, 2);
+        drawing.frames[2].y.high = 0.001;
+        drawing.frames[2].y.low = -0.0012;
+        let found = panels(&drawing, 900.0, 600.0);
+        assert_eq!(found[0].plot.left, found[2].plot.left);
+        assert_eq!(found[0].plot.right, found[2].plot.right);
+        assert_eq!(found[0].plot.bottom, found[1].plot.bottom);
+    }
+
+    #[test]
+    fn narrow_pictures_are_stacked_and_keep_the_frames_of_two_rows_high() {
+        let mut drawing = drawing(2, 2);
+        assert_eq!(arrange(&drawing, 900.0, 600.0).grid, (2, 2));
+        assert_eq!(arrange(&drawing, 340.0, pleasant_height(&drawing, 1.4, 340.0)).grid, (1, 4));
+        drawing.frames.truncate(2);
+        drawing.frames[0].span.1 = 2;
+        let found = arrange(&drawing, 340.0, pleasant_height(&drawing, 1.4, 340.0));
+        assert_eq!((found.grid, found.places), ((1, 3), vec![[0, 0, 1, 2], [0, 2, 1, 1]]));
     }
 }

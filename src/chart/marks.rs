@@ -89,7 +89,7 @@ fn filled<S: Surface>(
 ) -> Result<(), ChartError> {
     // The second corner again: so the join at the first is round as the others.
     let closed: Vec<[f64; 2]> = corners.iter().chain(corners.iter().take(2)).copied().collect();
-    painter.strokes(&[closed.clone()], theme.ground, 2.0 * RIM + 1.0, 1.0)?;
+    painter.strokes(std::slice::from_ref(&closed), theme.ground, 2.0 * RIM + 1.0, 1.0)?;
     painter.polygon(corners, if open { theme.ground } else { look.stroke }, 1.0)?;
     painter.strokes(&[closed], look.outline.unwrap_or(look.stroke), if open { 1.5 } else { 0.9 }, 1.0)
 }

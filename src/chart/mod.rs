@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`drawing`] | what is to be drawn, by its meaning |
 //! | [`theme`] | how each meaning looks |
-//! | [`surface`], [`svg`] | what a backend must offer; the one that writes SVG |
+//! | [`surface`], [`svg`](mod@svg) | what a backend must offer; the one that writes SVG |
 //! | [`draw`](mod@draw), `layout`, `axes`, `series`, `three_d`, `labels`, `marks` | the picture and its parts |
 //! | [`clip`], [`decimate`], [`dash`], [`ticks`], [`text`], [`metrics`], [`cloud`] | what they compute with |
 
@@ -32,6 +32,7 @@ pub mod view;
 
 pub use draw::{FrameMap, draw, svg};
 pub use drawing::{Axis, Drawing, Frame, Mark, Role, Series};
+pub use layout::pleasant_height;
 pub use surface::Surface;
 pub use svg::SvgSurface;
 pub use theme::Theme;

@@ -24,6 +24,15 @@ pub struct Context<'a> {
     pub theme: &'a Theme,
     /// Area in which the frame may be drawn on.
     pub plot: Rect,
+    /// Size of marks over their usual one.
+    pub mark: f64,
+}
+
+impl Context<'_> {
+    fn look(&self, series: &Series) -> Look {
+        let look = self.theme.look(series.role, series.stable);
+        Look { radius: look.radius * self.mark, ..look }
+    }
 }
 
 /// Checks that a drawing can be drawn: finite numbers, columns of one length, frames and axes that make sense.
@@ -98,7 +107,7 @@ pub fn draw_plane<S: Surface>(
     if !pixels.iter().flatten().all(|value| value.is_finite()) {
         return Err(ChartError::NotFinite { name: series.name.clone() });
     }
-    let look = context.theme.look(series.role, series.stable);
+    let look = context.look(series);
     let (low, high) = context.plot.corners();
     let wanted = wanted(series).map(|index| pixels[index]);
     Ok(match series.mark {
@@ -111,7 +120,9 @@ pub fn draw_plane<S: Surface>(
                 None => visible.clone(),
             };
             painter.strokes(&lines, look.stroke, look.width, 1.0)?;
-            visible.iter().for_each(|piece| crowd.add_line(piece));
+            for piece in &visible {
+                crowd.add_line(piece);
+            }
             wanted.filter(|_| !visible.is_empty()).map(|at| Anchor::Curve(visible, at))
         }
         Mark::Filled => {
@@ -122,6 +133,7 @@ pub fn draw_plane<S: Surface>(
                 let closed: Vec<[f64; 2]> = corners.iter().chain(corners.iter().take(2)).copied().collect();
                 painter.strokes(std::slice::from_ref(&closed), look.stroke, look.width, 1.0)?;
                 crowd.add_line(&closed);
+                crowd.add_area(corners.clone(), look.fill.over(context.theme.ground, look.opacity));
                 area = corners.iter().fold(area, |area, point| Some(with_point(area, *point)));
             }
             area.map(|area| Anchor::Area(area, series.label_at))
@@ -130,7 +142,9 @@ pub fn draw_plane<S: Surface>(
             let seen: Vec<[f64; 2]> =
                 pixels.into_iter().filter(|point| context.plot.holds_point(*point, 0.0)).collect();
             painter.cloud(&seen, cloud_diameter(series.role), look.stroke, look.opacity)?;
-            seen.iter().for_each(|point| crowd.add_point(*point));
+            for &point in &seen {
+                crowd.add_point(point);
+            }
             wanted.filter(|_| !seen.is_empty()).map(|at| Anchor::Mark(at, 4.0))
         }
         Mark::Marks => {
@@ -139,8 +153,16 @@ pub fn draw_plane<S: Surface>(
             draw_marks(painter, series, &look, &seen, context.theme, crowd)?;
             wanted.filter(|at| seen.contains(at)).map(|at| Anchor::Mark(at, look.radius))
         }
-        Mark::Band => draw_band(painter, [pixels[0], pixels[1]], &look, context)?
-            .map(|area| Anchor::Area(area, series.label_at)),
+        Mark::Band => draw_band(painter, [pixels[0], pixels[1]], &look, context)?.map(|area| {
+            let corners = vec![
+                [area.left, area.top],
+                [area.right, area.top],
+                [area.right, area.bottom],
+                [area.left, area.bottom],
+            ];
+            crowd.add_area(corners, look.fill.over(context.theme.ground, look.opacity));
+            Anchor::Area(area, series.label_at)
+        }),
         Mark::Text => wanted.map(Anchor::Place),
     })
 }
@@ -156,7 +178,9 @@ fn draw_marks<S: Surface>(
 ) -> Result<(), ChartError> {
     if series.role == Role::Trajectory {
         painter.cloud(seen, 2.0 * look.radius, look.stroke, 1.0)?;
-        seen.iter().for_each(|point| crowd.add_point(*point));
+        for &point in seen {
+            crowd.add_point(point);
+        }
         return Ok(());
     }
     let open =
@@ -239,7 +263,7 @@ pub fn draw_solid<S: Surface>(
     painter: &mut Painter<'_, S>,
     all: &[&Series],
     projection: &Projection,
-    theme: &Theme,
+    context: &Context<'_>,
     crowd: &mut Crowd,
 ) -> Result<Vec<Option<Anchor>>, ChartError> {
     let (low, high) = projection.limits();
@@ -247,7 +271,7 @@ pub fn draw_solid<S: Surface>(
     let mut stretches: Vec<(f64, usize, Vec<[f64; 2]>)> = Vec::new();
     let mut marks: Vec<(f64, usize, [f64; 2])> = Vec::new();
     for (index, series) in all.iter().enumerate() {
-        let look = theme.look(series.role, series.stable);
+        let look = context.look(series);
         let points: Vec<[f64; 3]> =
             (0..series.x.len()).map(|i| [series.x[i], series.y[i], series.z[i]]).collect();
         if !points.iter().flat_map(|point| projection.pixel(point)).all(f64::is_finite) {
@@ -262,7 +286,7 @@ pub fn draw_solid<S: Surface>(
                     let flat: Vec<[f64; 2]> = piece.iter().map(|point| projection.pixel(point)).collect();
                     crowd.add_line(&flat);
                     cut_by_depth(&piece, &flat, look.dash, projection, |depth, line| {
-                        stretches.push((depth, index, line));
+                        stretches.push((depth + precedence(series.role), index, line));
                     });
                     visible.push(flat);
                 }
@@ -292,7 +316,7 @@ pub fn draw_solid<S: Surface>(
     while start < stretches.len() {
         let owner = stretches[start].1;
         let end = start + stretches[start..].iter().take_while(|stretch| stretch.1 == owner).count();
-        let look = theme.look(all[owner].role, all[owner].stable);
+        let look = context.look(all[owner]);
         let lines: Vec<Vec<[f64; 2]>> =
             stretches[start..end].iter().map(|stretch| stretch.2.clone()).collect();
         painter.strokes(&lines, look.stroke, look.width, 1.0)?;
@@ -301,10 +325,19 @@ pub fn draw_solid<S: Surface>(
     // Marks lie on the curves: they come last, the nearest on top.
     marks.sort_by(|a, b| a.0.total_cmp(&b.0));
     for (_, owner, center) in marks {
-        let look = theme.look(all[owner].role, all[owner].stable);
-        draw_marks(painter, all[owner], &look, &[center], theme, crowd)?;
+        let look = context.look(all[owner]);
+        draw_marks(painter, all[owner], &look, &[center], context.theme, crowd)?;
     }
     Ok(anchors)
+}
+
+/// Depth by which a series comes forward: where two curves run together the same one is on top all along.
+fn precedence(role: Role) -> f64 {
+    match role {
+        Role::Exact => 0.12,
+        Role::Corrected | Role::CorrectedSecond => 0.06,
+        _ => 0.0,
+    }
 }
 
 /// Cuts a curve into dashes or short stretches with their mean depth. Stretches overlap by a segment: no seams show.

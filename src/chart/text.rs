@@ -94,8 +94,9 @@ pub fn set(markup: &str, size: f64, base: Face) -> Label {
         let start = match first.level {
             // A prime behind a lowered text stands over it, as in print.
             Level::Base if is_prime(&first) && lowered.is_some() => {
+                let start = pen;
                 pen += advance;
-                pen - advance
+                start
             }
             Level::Base => {
                 pen = pen.max(lowered.take().unwrap_or(pen)).max(raised.take().unwrap_or(pen));

@@ -204,7 +204,7 @@ fn draw_axis<S: Surface>(
         let number = set(text, sizes.tick, Face::Regular);
         let place = beyond(at, TICK + GAP, &number);
         depth = depth.max(out[0].abs() * number.width + out[1].abs() * number.ascent);
-        let area = Rect::around(place, number.width + 4.0, number.ascent + 2.0);
+        let area = Rect::around(place, number.width + 8.0, number.ascent + 2.0);
         if !taken.iter().any(|other| other.overlaps(&area)) {
             taken.push(area);
             numbers.push((number, place));

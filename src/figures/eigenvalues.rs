@@ -17,6 +17,8 @@ const REACH: f64 = 1.5;
 const SAMPLES: usize = 48;
 
 type Four = [(f64, f64); 4];
+/// The real or the imaginary part.
+type Part = fn((f64, f64)) -> f64;
 
 /// One set of four eigenvalues over `Omega_1`.
 struct Set<'a> {
@@ -79,7 +81,7 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
     ];
     let mut composer = Composer::new((2, 2));
     for (column, (title, sets)) in [
-        ("as printed, on the paper's scale", &sets[..1]),
+        ("as printed, on its own scale", &sets[..1]),
         ("per unit of time, each mode rightly scaled", &sets[1..]),
     ]
     .into_iter()
@@ -114,11 +116,11 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
 
 fn panels(composer: &mut Composer, column: usize, title: &str, range: (f64, f64), sets: &[Set]) {
     let prefix = ["printed", "scaled"][column];
-    let reach = |part: fn((f64, f64)) -> f64| {
+    let reach = |part: Part| {
         let values = sets.iter().flat_map(|set| even(range.0, range.1, 41).flat_map(|x| (set.of)(x)));
         about_zero(1.12 * values.map(|value| part(value).abs()).filter(|v| v.is_finite()).fold(0.0, f64::max))
     };
-    let parts: [(&str, &str, &str, fn((f64, f64)) -> f64); 2] =
+    let parts: [(&str, &str, &str, Part); 2] =
         [("Re", "Re *λ*", title, |value| value.0), ("Im", "Im *λ*", "", |value| value.1)];
     for (row, (name, label, title, part)) in parts.into_iter().enumerate() {
         let frame = composer.frame(plane(
@@ -153,15 +155,33 @@ fn panels(composer: &mut Composer, column: usize, title: &str, range: (f64, f64)
                     format!("Hopf bifurcations of the {}", set.meaning),
                     Role::Bifurcation,
                 );
-                let at = |x: f64| (x, part((set.of)(x)[0]));
-                composer.marks(frame, line, Points::plane([at(-edge), at(edge)]));
+                composer.marks(
+                    frame,
+                    line,
+                    Points::plane([-edge, edge].into_iter().flat_map(|x| hopf(set, x, part))),
+                );
             }
         }
     }
 }
 
+/// The parts of the eigenvalues that are about to grow at an edge, each once.
+fn hopf(set: &Set, edge: f64, part: Part) -> Vec<(f64, f64)> {
+    let values = (set.of)(edge);
+    let size =
+        values.iter().fold(f64::MIN_POSITIVE, |size, value| size.max(value.0.abs()).max(value.1.abs()));
+    let largest = values.iter().fold(f64::NEG_INFINITY, |largest, value| largest.max(value.0));
+    let mut found: Vec<(f64, f64)> = Vec::new();
+    for value in values.into_iter().filter(|value| value.0 > largest - 1e-6 * size) {
+        if found.iter().all(|(_, other)| (other - part(value)).abs() > 1e-6 * size) {
+            found.push((edge, part(value)));
+        }
+    }
+    found
+}
+
 /// One eigenvalue's part over the axis, with the points crowded at the edges, where square roots begin.
-fn branch(set: &Set, range: (f64, f64), number: usize, part: fn((f64, f64)) -> f64) -> Vec<(f64, f64)> {
+fn branch(set: &Set, range: (f64, f64), number: usize, part: Part) -> Vec<(f64, f64)> {
     let edge = set.edge.unwrap_or(0.5 * range.1);
     let cuts = [range.0, -edge, 0.0, edge, range.1];
     let mut points = Vec::new();

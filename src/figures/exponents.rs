@@ -6,42 +6,65 @@
 //! primary tongue the pair meets on the real axis: a saddle. In the combination tongue, at `Omega = omega_2 + omega_3`,
 //! the second mode on its way up meets the third on its way down, and both leave the imaginary direction: a spiral.
 //! The slow flow of a primary tongue is in this frame as it stands; that of the combination tongue, in which mode `j`
-//! turns at `omega_j Omega/Omega_0`, is shifted by `i (omega_j/Omega_0 - 1/2) Omega`. Of the values that differ by `i Omega`
-//! the one is taken that continues its mode from frequency to frequency.
+//! turns at `omega_j Omega/Omega_0`, is shifted by `i (omega_j/Omega_0 - 1/2) Omega`.
+//!
+//! Exact exponents are folded into the strip `|Im lambda| <= Omega/2`, one representative of each: a mode cannot be
+//! followed through all of the range by its name, for where the third mode, folded, meets the second (about
+//! `Omega = omega_3 - omega_2`) the two exchange their characters.
 
-use super::compose::{Composer, Line, Points, axis, even, number, plane};
-use super::job::Figure;
-use super::tongues::{Setting, split};
-use crate::chart::drawing::{Drawing, Frame, Mark, Role};
+use super::compose::even;
+use super::tongues::Setting;
+use crate::chart::drawing::Role;
 use crate::error::FigureError;
 use crate::model::parameters::{Parameters, Regime};
 use crate::study::ErrorEstimate;
 use crate::study::multipliers::{Multipliers, multipliers};
-use crate::theory::damped::{
-    combination_edges, combination_exponents, decay_rate, primary_edges, primary_exponents,
-};
 use crate::theory::modes::Mode;
-use crate::theory::tongues::Edges;
 use crate::theory::{combination, primary};
 
-type Complex = nalgebra::Complex<f64>;
-
 /// Frequencies at which multipliers are computed before the edges are known.
-const COARSE: usize = 260;
+const COARSE: usize = 300;
 /// Frequencies put between two neighbours that differ in stability.
 const FINE: usize = 12;
 /// Frequencies computed in one slice.
 const SLICE: usize = 64;
+/// Two neighbours whose real parts differ by more than this, over the widest seen, get [`BETWEEN`] more between them.
+const STEEP: f64 = 0.02;
+/// See [`STEEP`].
+const BETWEEN: usize = 4;
 /// Times an edge is halved.
 const HALVINGS: usize = 30;
 /// Tolerance of the multipliers.
 const TOLERANCE: f64 = 1e-10;
 /// Growth rates below this are none: rounding, which a double multiplier takes the square root of.
-const NO_GROWTH: f64 = 1e-6;
+pub(super) const NO_GROWTH: f64 = 1e-6;
+
+/// An exponent, growth and turn per unit of time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Exponent {
+    /// Growth rate.
+    pub(super) re: f64,
+    /// Angular frequency in the turning frame.
+    pub(super) im: f64,
+}
+
+impl Exponent {
+    fn distance_squared(self, other: Self) -> f64 {
+        (self.re - other.re).powi(2) + (self.im - other.im).powi(2)
+    }
+
+    /// As far beyond `self` as `ahead` times the way from `before`.
+    fn extrapolated(self, before: Self, ahead: f64) -> Self {
+        Self { re: self.re + (self.re - before.re) * ahead, im: self.im + (self.im - before.im) * ahead }
+    }
+}
+
+/// Exponents at one mesh frequency, in the order of their paths.
+pub(super) type Track = (f64, [Exponent; 4]);
 
 /// What kind of point the origin is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+pub(super) enum Kind {
     /// Nothing grows: a centre, with damping a focus.
     Stable,
     /// A real multiplier is largest and beyond the unit circle.
@@ -63,7 +86,7 @@ impl Kind {
         }
     }
 
-    fn role(self) -> Role {
+    pub(super) fn role(self) -> Role {
         match self {
             Self::Stable => Role::IntervalStable,
             Self::Saddle => Role::IntervalSaddle,
@@ -71,7 +94,16 @@ impl Kind {
         }
     }
 
-    fn name(self, damped: bool) -> &'static str {
+    pub(super) fn with_article(self, damped: bool) -> &'static str {
+        match self {
+            Self::Stable if damped => "a stable focus",
+            Self::Stable => "a centre",
+            Self::Saddle => "a saddle",
+            Self::Spiral => "an unstable spiral",
+        }
+    }
+
+    pub(super) fn name(self, damped: bool) -> &'static str {
         match self {
             Self::Stable if damped => "stable focus",
             Self::Stable => "centre",
@@ -88,22 +120,22 @@ struct Sample {
     kind: Kind,
     /// The four exponents of the second and third mode in the frame that turns with `Omega/2`, folded into
     /// `|Im| <= Omega/2`.
-    folded: [Complex; 4],
+    folded: [Exponent; 4],
 }
 
 /// The work on figure 8, done in slices.
 #[derive(Debug)]
 pub(super) struct ExponentPaths {
-    setting: Setting,
+    pub(super) setting: Setting,
     /// The unloaded gear pair at the reader's frequency.
     parameters: Parameters,
-    places: [f64; 3],
-    range: (f64, f64),
+    pub(super) places: [f64; 3],
+    pub(super) range: (f64, f64),
     waiting: Vec<f64>,
     samples: Vec<Sample>,
     stage: Stage,
-    error: ErrorEstimate,
-    method: String,
+    pub(super) error: ErrorEstimate,
+    pub(super) method: String,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -186,6 +218,8 @@ impl ExponentPaths {
                         }
                     }
                 }
+                self.refine();
+                self.waiting.sort_by(|one, other| other.total_cmp(one));
                 if self.waiting.is_empty() {
                     self.stage = Stage::Done;
                 }
@@ -193,6 +227,21 @@ impl ExponentPaths {
             Stage::Fine | Stage::Done => self.stage = Stage::Done,
         }
         Ok(())
+    }
+
+    /// Asks for frequencies between neighbours whose exponents are far apart, so that corners are drawn as corners.
+    fn refine(&mut self) {
+        let tracks = self.tracks();
+        let widest = tracks
+            .iter()
+            .flat_map(|track| track.1)
+            .fold(1e-3_f64, |widest, value| widest.max(value.re.abs()));
+        for pair in tracks.windows(2) {
+            let [(before, old), (after, new)] = [pair[0], pair[1]];
+            if (0..4).any(|index| (new[index].re - old[index].re).abs() > STEEP * widest) {
+                self.waiting.extend(even(before, after, BETWEEN + 2).skip(1).take(BETWEEN));
+            }
+        }
     }
 
     /// Where the kind changes between two frequencies.
@@ -233,399 +282,78 @@ impl ExponentPaths {
     }
 
     /// The exponents without the pair of the first mode, which the mesh does not touch: its bodies move together.
-    fn relevant(&self, answer: &Multipliers, omega: f64) -> [Complex; 4] {
+    fn relevant(&self, answer: &Multipliers, omega: f64) -> [Exponent; 4] {
         let symmetric = &self.setting.symmetric;
         let period = std::f64::consts::TAU / omega;
         let decay = symmetric.zeta_s / symmetric.m;
-        let root = Complex::new(decay * decay - symmetric.k / symmetric.m, 0.0).sqrt();
-        let mut values: Vec<Complex> = (0..6).map(|i| Complex::new(answer.re[i], answer.im[i])).collect();
-        for exponent in [root - decay, -root - decay] {
-            let multiplier = (exponent * period).exp();
-            let nearest = (0..values.len())
-                .min_by(|&i, &j| (values[i] - multiplier).norm().total_cmp(&(values[j] - multiplier).norm()));
+        let square = symmetric.k / symmetric.m - decay * decay;
+        let root = square.abs().sqrt();
+        let first_mode = if square > 0.0 {
+            [(-decay, root), (-decay, -root)]
+        } else {
+            [(root - decay, 0.0), (-root - decay, 0.0)]
+        };
+        let mut values: Vec<(f64, f64)> = answer.re.into_iter().zip(answer.im).collect();
+        for (growth, turn) in first_mode {
+            let (size, angle) = ((growth * period).exp(), turn * period);
+            let distance =
+                |value: (f64, f64)| (value.0 - size * angle.cos()).hypot(value.1 - size * angle.sin());
+            let nearest =
+                (0..values.len()).min_by(|&i, &j| distance(values[i]).total_cmp(&distance(values[j])));
             values.remove(nearest.unwrap_or(0));
         }
         std::array::from_fn(|index| {
             // ln(-mu)/T: a turn by half the mesh frequency makes a multiplier of -1 the exponent zero.
-            let turned = -values[index];
-            let growth = turned.norm().max(f64::MIN_POSITIVE).ln();
-            Complex::new(growth, turned.im.atan2(turned.re)) / period
+            let (re, im) = (-values[index].0, -values[index].1);
+            Exponent { re: re.hypot(im).max(f64::MIN_POSITIVE).ln() / period, im: im.atan2(re) / period }
         })
     }
 
-    /// The exponents unfolded and joined from frequency to frequency.
-    fn tracks(&self) -> Vec<(f64, [Complex; 4])> {
+    /// Frequencies done and those still to be done; none of the latter once all is done.
+    pub(super) fn progress(&self) -> (usize, Option<usize>) {
+        (self.samples.len(), (self.stage != Stage::Done).then_some(self.waiting.len()))
+    }
+
+    /// Each frequency with what the origin is there, rising.
+    pub(super) fn kinds(&self) -> Vec<(f64, Kind)> {
+        let mut kinds: Vec<(f64, Kind)> =
+            self.samples.iter().map(|sample| (sample.omega, sample.kind)).collect();
+        kinds.sort_by(|one, other| one.0.total_cmp(&other.0));
+        kinds
+    }
+
+    /// The exponents joined from frequency to frequency, without folds: values may leave the strip.
+    pub(super) fn tracks(&self) -> Vec<Track> {
         let mut samples: Vec<&Sample> = self.samples.iter().collect();
         samples.sort_by(|one, other| one.omega.total_cmp(&other.omega));
-        let mut tracks: Vec<(f64, [Complex; 4])> = Vec::with_capacity(samples.len());
+        let mut tracks: Vec<Track> = Vec::with_capacity(samples.len());
         for sample in samples {
             let expected = match tracks.len() {
-                0 => self.far_from_resonance(sample.omega),
+                0 => sample.folded,
                 1 => tracks[0].1,
                 count => {
                     let ((before, old), (now, new)) = (tracks[count - 2], tracks[count - 1]);
                     let ahead = ((sample.omega - now) / (now - before)).min(1.5);
-                    std::array::from_fn(|i| new[i] + (new[i] - old[i]) * ahead)
+                    std::array::from_fn(|i| new[i].extrapolated(old[i], ahead))
                 }
             };
             tracks.push((sample.omega, matched(sample, &expected)));
         }
         tracks
     }
-
-    /// Where the exponents are without resonance: the second mode's pair, then the third's.
-    fn far_from_resonance(&self, omega: f64) -> [Complex; 4] {
-        let symmetric = &self.setting.symmetric;
-        let exponent = |mode: Mode, sign: f64| {
-            let decay = decay_rate(&self.setting.modes, mode, symmetric.zeta, symmetric.zeta_s);
-            Complex::new(-decay, sign * (self.setting.modes.frequency(mode) - 0.5 * omega))
-        };
-        [
-            exponent(Mode::Second, 1.0),
-            exponent(Mode::Second, -1.0),
-            exponent(Mode::Third, 1.0),
-            exponent(Mode::Third, -1.0),
-        ]
-    }
-
-    /// The picture so far.
-    pub(super) fn figure(&self, id: &'static str, parameters: &Parameters) -> Figure {
-        let tracks = self.tracks();
-        let mut notes = Vec::new();
-        let inside = parameters.omega > self.range.0 && parameters.omega < self.range.1;
-        if !inside {
-            notes.push(format!(
-                "The present Omega = {} lies outside of what is drawn.",
-                number(parameters.omega, 4)
-            ));
-        }
-        if parameters.load != 0.0 {
-            notes.push(
-                "The load does not matter here: it is the unloaded state whose stability is asked.".into(),
-            );
-        }
-        if self.stage != Stage::Done {
-            notes.push(format!("{} frequencies computed, {} to go.", self.samples.len(), self.waiting.len()));
-        }
-        Figure {
-            id,
-            parameters: *parameters,
-            drawing: self.drawing(&tracks, parameters.omega),
-            summary: self.summary(parameters.omega),
-            method: format!("exact: {}; slow flow: closed formulas [T5], [T6]", self.method),
-            error: self.error,
-            motion: None,
-            notes,
-        }
-    }
-
-    fn damped(&self) -> bool {
-        self.setting.symmetric.zeta > 0.0 || self.setting.symmetric.zeta_s > 0.0
-    }
-
-    /// The samples joined to intervals of one kind: low end, high end, kind.
-    fn intervals(&self) -> Vec<(f64, f64, Kind)> {
-        let mut samples: Vec<(f64, Kind)> =
-            self.samples.iter().map(|sample| (sample.omega, sample.kind)).collect();
-        samples.sort_by(|one, other| one.0.total_cmp(&other.0));
-        let mut intervals: Vec<(f64, f64, Kind)> = Vec::new();
-        for (omega, kind) in samples {
-            match intervals.last_mut() {
-                Some(last) if last.2 == kind => last.1 = omega,
-                Some(last) => {
-                    let border = 0.5 * (last.1 + omega);
-                    last.1 = border;
-                    intervals.push((border, omega, kind));
-                }
-                None => intervals.push((omega, omega, kind)),
-            }
-        }
-        intervals
-    }
-
-    fn summary(&self, omega: f64) -> String {
-        let intervals = self.intervals();
-        let unstable: Vec<String> = intervals
-            .iter()
-            .filter(|interval| interval.2 != Kind::Stable)
-            .map(|(low, high, kind)| {
-                format!("{} from {} to {}", kind.name(self.damped()), number(*low, 5), number(*high, 5))
-            })
-            .collect();
-        let at_present =
-            intervals.iter().find(|(low, high, _)| *low <= omega && omega <= *high).map(|interval| {
-                format!("at Omega = {} it is a {}", number(omega, 5), interval.2.name(self.damped()))
-            });
-        let all = if unstable.is_empty() {
-            "Along Omega the origin is stable everywhere".to_owned()
-        } else {
-            format!("Along Omega the origin is a {}, and stable elsewhere", unstable.join(", a "))
-        };
-        match at_present {
-            Some(present) => format!("{all}; {present}."),
-            None => format!("{all}."),
-        }
-    }
-
-    fn drawing(&self, tracks: &[(f64, [Complex; 4])], omega: f64) -> Drawing {
-        let mut composer = Composer::new((2, 3));
-        let [second, middle, third] = self.places;
-        let (re, im) = self.reach(tracks);
-        for (column, (name, title, ends)) in [
-            ("lower", "(a) second mode to combination", (second, middle)),
-            ("upper", "(b) combination to third mode", (middle, third)),
-        ]
-        .into_iter()
-        .enumerate()
-        {
-            let frame = composer.frame(Frame {
-                span: (1, 2),
-                ..plane(
-                    name,
-                    title,
-                    (column, 0),
-                    axis("Re lambda", "Re *λ*", (-re, re)),
-                    axis("Im lambda", "Im *λ*", (-im, im)),
-                )
-            });
-            let zero = Line::new(format!("zero {name}"), "where growth turns into decay", Role::Reference);
-            composer.curve(frame, zero, Points::plane([(0.0, -im), (0.0, im)]));
-            self.exact(&mut composer, frame, name, tracks, ends);
-            self.slow_flow(&mut composer, frame, name, column == 0, ends);
-            let here = if column == 0 { omega <= middle } else { omega > middle };
-            if let Some(track) = tracks.iter().find(|track| track.0 == omega && here) {
-                let line = Line::new("present exponents", "the exponents at the present Omega", Role::Handle);
-                composer.marks(frame, line, Points::plane(track.1.map(|value| (value.re, value.im))));
-            }
-        }
-        self.scale(&mut composer, omega);
-        composer.drawing()
-    }
-
-    fn reach(&self, tracks: &[(f64, [Complex; 4])]) -> (f64, f64) {
-        let modes = &self.setting.modes;
-        let growth = Mode::BOTH.map(|mode| {
-            0.5 * self.setting.symmetric.k0 * primary::half_width(modes, mode)
-                + decay_rate(modes, mode, self.setting.symmetric.zeta, self.setting.symmetric.zeta_s)
-        });
-        let inside = |omega: f64| omega >= self.places[0] && omega <= self.places[2];
-        let seen = tracks.iter().filter(|track| inside(track.0)).flat_map(|track| track.1);
-        let re = seen.fold(growth[0].max(growth[1]).max(1e-3), |reach, value| reach.max(value.re.abs()));
-        (1.15 * re, 1.1 * (modes.omega[2] - modes.omega[1]))
-    }
-
-    fn exact(
-        &self,
-        composer: &mut Composer,
-        frame: usize,
-        name: &str,
-        tracks: &[(f64, [Complex; 4])],
-        ends: (f64, f64),
-    ) {
-        let within: Vec<&(f64, [Complex; 4])> =
-            tracks.iter().filter(|track| track.0 >= ends.0 && track.0 <= ends.1).collect();
-        for index in 0..4 {
-            let points: Vec<(f64, f64)> =
-                within.iter().map(|track| (track.1[index].re, track.1[index].im)).collect();
-            let [decaying, growing] = split(&points, |at| points[at].0 <= NO_GROWTH);
-            for (points, stable, word) in [(decaying, true, "decaying"), (growing, false, "growing")] {
-                let line = Line::new(
-                    format!("exact {} {name} {word}", index + 1),
-                    format!("exact exponent {}, {word}", index + 1),
-                    Role::Exact,
-                )
-                .stable(stable);
-                let label = index == 2 && stable;
-                composer.curve(frame, if label { line.label("exact", 0.5) } else { line }, points);
-            }
-        }
-    }
-
-    fn slow_flow(
-        &self,
-        composer: &mut Composer,
-        frame: usize,
-        name: &str,
-        lower: bool,
-        (low, high): (f64, f64),
-    ) {
-        let middle = 0.5 * (low + high);
-        let (mode, own, other) = if lower {
-            (Mode::Second, (low, middle), (middle, high))
-        } else {
-            (Mode::Third, (middle, high), (low, middle))
-        };
-        let primary =
-            |omega: f64| primary_exponents(&self.setting.at(omega), mode).map(|values| values.to_vec());
-        let omega_0 = self.places[1];
-        let slower = self.setting.modes.omega[1] / omega_0 - 0.5;
-        let combination = |omega: f64| {
-            let shift = Complex::new(0.0, slower * omega);
-            combination_exponents(&self.setting.at(omega)).map(|values| {
-                vec![values[0] + shift, values[1] + shift, values[2] - shift, values[3] - shift]
-            })
-        };
-        let edges = |edges: Option<Edges>| edges.map_or_else(Vec::new, |edges| vec![edges.left, edges.right]);
-        let (modes, symmetric) = (&self.setting.modes, &self.setting.symmetric);
-        self.flow_curves(
-            composer,
-            frame,
-            &format!("primary {name}"),
-            "damped [T5]",
-            own,
-            &edges(primary_edges(modes, mode, symmetric)),
-            &primary,
-        );
-        self.flow_curves(
-            composer,
-            frame,
-            &format!("combination {name}"),
-            "damped [T6]",
-            other,
-            &edges(combination_edges(modes, symmetric)),
-            &combination,
-        );
-    }
-
-    #[allow(clippy::too_many_arguments, reason = "one call draws one flow, all of which it needs")]
-    fn flow_curves<E>(
-        &self,
-        composer: &mut Composer,
-        frame: usize,
-        name: &str,
-        label: &str,
-        (low, high): (f64, f64),
-        edges: &[f64],
-        exponents: &dyn Fn(f64) -> Result<Vec<Complex>, E>,
-    ) {
-        let mut frequencies: Vec<f64> = even(low, high, 160).collect();
-        for edge in edges.iter().filter(|edge| low < **edge && **edge < high) {
-            frequencies.extend((0..9).map(|n| edge + (high - low) * 1e-3 * f64::from(n - 4)));
-        }
-        frequencies.sort_by(f64::total_cmp);
-        let values: Vec<Vec<Complex>> =
-            frequencies.into_iter().filter_map(|omega| exponents(omega).ok()).collect();
-        for index in 0..values.first().map_or(0, Vec::len) {
-            let points: Vec<(f64, f64)> = values.iter().map(|all| (all[index].re, all[index].im)).collect();
-            let [decaying, growing] = split(&points, |at| points[at].0 <= NO_GROWTH);
-            for (points, stable, word) in [(decaying, true, "decaying"), (growing, false, "growing")] {
-                let line = Line::new(
-                    format!("slow flow {} {name} {word}", index + 1),
-                    format!("eigenvalue {} of the slow flow, {word}, {label}", index + 1),
-                    Role::CorrectedSecond,
-                )
-                .stable(stable);
-                composer.curve(
-                    frame,
-                    if index == 0 && !stable { line.label(label, 0.5) } else { line },
-                    points,
-                );
-            }
-        }
-    }
-
-    /// Panel (c): what the origin is along the mesh frequency.
-    fn scale(&self, composer: &mut Composer, omega: f64) {
-        let (low, high) = self.range;
-        let width = high - low;
-        let frame = composer.frame(Frame {
-            span: (2, 1),
-            bare: true,
-            ..plane(
-                "kinds",
-                "(c) the origin along *Ω*",
-                (0, 2),
-                axis("Omega", "*Ω*", (low - 0.2 * width, high + 0.02 * width)),
-                axis("row", "", (-0.75, 3.75)),
-            )
-        });
-        let (modes, symmetric) = (&self.setting.modes, &self.setting.symmetric);
-        let k0 = symmetric.k0;
-        let printed = [
-            (self.places[0], primary::half_width(modes, Mode::Second), Kind::Saddle),
-            (self.places[1], combination::half_width_printed(modes), Kind::Spiral),
-            (self.places[2], primary::half_width(modes, Mode::Third), Kind::Saddle),
-        ]
-        .map(|(centre, half, kind)| (Some(Edges::about(centre, k0 * half)).filter(|_| k0 > 0.0), kind));
-        let damped = [
-            (primary_edges(modes, Mode::Second, symmetric), Kind::Saddle),
-            (combination_edges(modes, symmetric), Kind::Spiral),
-            (primary_edges(modes, Mode::Third, symmetric), Kind::Saddle),
-        ];
-        let rows = [
-            ("paper", "paper", false, self.filled(printed)),
-            ("first order damped", "damped [T5], [T6]", self.damped(), self.filled(damped)),
-            ("exact", "exact (Floquet)", self.damped(), self.intervals()),
-        ];
-        for (row, (name, words, damped, intervals)) in rows.into_iter().enumerate() {
-            let height = row as f64;
-            for (index, (from, to, kind)) in intervals.into_iter().filter(|i| i.1 > i.0).enumerate() {
-                let meaning =
-                    format!("{}: {} from {} to {}", words, kind.name(damped), number(from, 5), number(to, 5));
-                let line = Line::new(format!("kind {name} {}", index + 1), meaning, kind.role())
-                    .stable(kind == Kind::Stable);
-                composer.add(
-                    frame,
-                    Mark::Band,
-                    line,
-                    Points::plane([(from, height - 0.3), (to, height + 0.3)]),
-                );
-            }
-            composer.text(frame, &format!("row {name}"), words, (low - 0.1 * width, height));
-        }
-        for (place, words) in self.places.into_iter().zip(["saddle", "unstable spiral", "saddle"]) {
-            composer.text(frame, &format!("kind at {}", number(place, 4)), words, (place, 2.62));
-        }
-        for (index, pair) in self.places.windows(2).enumerate() {
-            let words = Kind::Stable.name(self.damped());
-            composer.text(
-                frame,
-                &format!("kind between {}", index + 1),
-                words,
-                (0.5 * (pair[0] + pair[1]), 2.62),
-            );
-        }
-        if omega > low && omega < high {
-            let line = Line::new("present Omega", "the present Omega", Role::Handle);
-            composer.curve(frame, line, Points::plane([(omega, -0.45), (omega, 3.0)]));
-            let words = format!("*Ω* = {}", number(omega, 4));
-            composer.text(frame, "present Omega in words", &words, (omega, 3.35));
-        }
-        let mut ticks = Points::plane([(low, -0.45), (high, -0.45)]);
-        for tick in round_numbers(low, high) {
-            ticks.piece([(tick, -0.45), (tick, -0.38)]);
-            composer.text(frame, &format!("tick {}", number(tick, 6)), &number(tick, 6), (tick, -0.62));
-        }
-        composer.curve(frame, Line::new("scale", "the mesh frequency", Role::Reference), ticks);
-    }
-
-    /// Intervals of first-order tongues, with what is stable between them.
-    fn filled(&self, tongues: [(Option<Edges>, Kind); 3]) -> Vec<(f64, f64, Kind)> {
-        let (low, high) = self.range;
-        let mut intervals = Vec::new();
-        let mut reached = low;
-        for (edges, kind) in tongues {
-            let Some(edges) = edges else { continue };
-            let (left, right) = (edges.left.clamp(reached, high), edges.right.clamp(reached, high));
-            intervals.extend([(reached, left, Kind::Stable), (left, right, kind)]);
-            reached = right;
-        }
-        intervals.push((reached, high, Kind::Stable));
-        intervals
-    }
 }
 
 /// The four exponents in the order of those expected, each shifted by whole mesh frequencies to be nearest.
-fn matched(sample: &Sample, expected: &[Complex; 4]) -> [Complex; 4] {
-    let shifted = |value: Complex, near: Complex| {
+fn matched(sample: &Sample, expected: &[Exponent; 4]) -> [Exponent; 4] {
+    let shifted = |value: Exponent, near: Exponent| {
         let turns = ((near.im - value.im) / sample.omega).round();
-        Complex::new(value.re, value.im + turns * sample.omega)
+        Exponent { im: value.im + turns * sample.omega, ..value }
     };
     let mut best = sample.folded;
     let mut least = f64::INFINITY;
     for order in permutations() {
-        let candidate: [Complex; 4] = std::array::from_fn(|i| shifted(sample.folded[order[i]], expected[i]));
-        let distance: f64 = (0..4).map(|i| (candidate[i] - expected[i]).norm_sqr()).sum();
+        let candidate: [Exponent; 4] = std::array::from_fn(|i| shifted(sample.folded[order[i]], expected[i]));
+        let distance: f64 = (0..4).map(|i| candidate[i].distance_squared(expected[i])).sum();
         if distance < least {
             (best, least) = (candidate, distance);
         }
@@ -638,19 +366,6 @@ fn permutations() -> impl Iterator<Item = [usize; 4]> {
     (0..256_usize)
         .map(|code| [code & 3, (code >> 2) & 3, (code >> 4) & 3, (code >> 6) & 3])
         .filter(|order| (0..4).all(|thing| order.contains(&thing)))
-}
-
-/// Round numbers between two ends, four to nine of them.
-fn round_numbers(low: f64, high: f64) -> Vec<f64> {
-    let rough = (high - low) / 6.0;
-    let power = 10_f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .map(|digit| digit * power)
-        .find(|step| *step >= rough)
-        .unwrap_or(rough);
-    let first = (low / step).ceil() as i64;
-    (0..12).map(|n| (first + n) as f64 * step).take_while(|tick| *tick <= high).collect()
 }
 
 #[cfg(test)]
@@ -674,8 +389,8 @@ mod tests {
 
     #[test]
     fn exponents_are_matched_across_the_fold() {
-        let folded = [1.0, 2.0, -1.5, -0.9].map(|im| Complex::new(0.0, im));
-        let expected = [-0.95, 1.05, 6.0, 2.45].map(|im| Complex::new(0.0, im));
+        let folded = [1.0, 2.0, -1.5, -0.9].map(|im| Exponent { re: 0.0, im });
+        let expected = [-0.95, 1.05, 6.0, 2.45].map(|im| Exponent { re: 0.0, im });
         let sample = Sample { omega: 4.0, kind: Kind::Stable, folded };
         assert_eq!(matched(&sample, &expected).map(|value| value.im), [-0.9, 1.0, 6.0, 2.5]);
     }

@@ -141,8 +141,8 @@ pub(super) fn damper(from: Point, to: Point, across: f64, free: f64) -> [Vec<Poi
 pub(super) fn ground(at: Point, half_width: f64, outwards: f64) -> (Vec<Point>, Vec<[Point; 2]>) {
     let line = vec![beside(at, 0.0, -half_width), beside(at, 0.0, half_width)];
     let hatch = (0..8)
-        .map(|index| {
-            let across = -half_width + 2.0 * half_width * (index as f64 + 0.75) / 8.0;
+        .map(|index: i32| {
+            let across = -half_width + 2.0 * half_width * (f64::from(index) + 0.75) / 8.0;
             [beside(at, 0.0, across), beside(at, outwards * 0.1, across - 0.1)]
         })
         .collect();
@@ -198,8 +198,8 @@ mod tests {
         let gap = 0.02;
         let base = base_radius(1.0);
         let pitch = TAU / PINION_TEETH as f64;
-        for step in 0..9 {
-            let turn = pitch * step as f64 / 9.0;
+        for step in 0..9_i32 {
+            let turn = pitch * f64::from(step) / 9.0;
             let pinion = outline((-1.0, 0.0), PINION_TEETH, 0.5 * pitch + turn, gap);
             let gear = outline((GEAR_RADIUS, 0.0), GEAR_TEETH, PI - turn / GEAR_RADIUS, gap);
             // The pinion's driving flanks face up the line of action, the gear's driven flanks down it.

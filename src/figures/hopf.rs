@@ -17,8 +17,6 @@ use std::f64::consts::TAU;
 
 /// How far the axis reaches, in the largest of the half-widths.
 const REACH: f64 = 2.2;
-/// Rings drawn along each tube.
-const RINGS: usize = 9;
 
 /// # Errors
 /// Unequal supports.
@@ -33,19 +31,17 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
     if setting.paper_alpha().is_none() {
         notes.push(no_branches(&setting));
     }
-    let summary = match edge {
-        Some(edge) => format!(
+    let summary = if let Some(edge) = edge {
+        format!(
             "Limit cycles are born at Omega_1 = -/+{} with damping, where the paper says -/+{}: a stable one at the \
              supercritical edge, left for hardening and right for softening supports, which goes on beyond the other \
              edge, where an unstable one is born.",
             number(edge, 5),
             number(half_width_printed(&setting.modes), 5)
-        ),
-        None => {
-            notes.push("Damping closes this tongue at this k0: there is no limit cycle.".to_owned());
-            "Damping closes the combination tongue: the origin is stable and no limit cycle is born."
-                .to_owned()
-        }
+        )
+    } else {
+        notes.push("Damping closes this tongue at this k0: there is no limit cycle.".to_owned());
+        "Damping closes the combination tongue: the origin is stable and no limit cycle is born.".to_owned()
     };
     let method = "nontrivial solutions of (106)-(109) as printed; with damping [T6], [T8]";
     let mut figure = formula(id, parameters, composer, summary, method);
@@ -69,7 +65,7 @@ pub(super) struct Radii {
     pub(super) c: Vec<(f64, f64)>,
 }
 
-/// The cycles of [T8] as far as `end` in `Omega_1`: of the supercritical edge and of the subcritical one.
+/// The cycles of \[T8\] as far as `end` in `Omega_1`: of the supercritical edge and of the subcritical one.
 ///
 /// # Errors
 /// Those of [`cycles`].
@@ -186,14 +182,16 @@ fn panel(
     }
     for (index, radii) in printed.iter().enumerate() {
         let which = ["left", "right"][usize::from(index > 0 || radii.edge > 0.0)];
-        for (letter, curve, label_at) in [("B", &radii.b, 0.8), ("C", &radii.c, 0.9)] {
+        for (letter, curve, label_at) in [("B", &radii.b, 0.7), ("C", &radii.c, 0.97)] {
             let line = Line::new(
                 format!("R_{letter} {name} (106)-(109) {which}"),
                 format!("R_{letter} of the solutions of (106)-(109) as printed, {name} supports, from the {which} edge"),
                 Role::Paper,
             )
-            .stable(radii.stable)
-            .label(&format!("*R*_{{{letter}}} paper (106)-(109)"), label_at);
+            .stable(radii.stable);
+            let label = format!("*R*_{{{letter}}} paper (106)–(109)");
+            // One pair of labels is enough; the dashed curves are the same solutions from the other edge.
+            let line = if radii.edge * end < 0.0 { line.label(&label, label_at) } else { line };
             composer.curve(flat, line, Points::plane(curve.iter().copied()));
         }
     }
@@ -213,18 +211,22 @@ fn cycle(composer: &mut Composer, flat: usize, space: usize, radii: &Radii, name
             format!("radius R_{letter} of the {word} limit cycle with damping [T8], {name} supports"),
             role,
         )
-        .stable(radii.stable)
-        .label(&format!("*R*_{{{letter}}} {word}"), label_at);
+        .stable(radii.stable);
+        let line = match (radii.stable, letter) {
+            (true, _) => line.label(&format!("*R*_{{{letter}}} damped [T8]"), label_at),
+            (false, "B") => line,
+            (false, _) => line.label("unstable [T8]", 0.3),
+        };
         composer.curve(flat, line, Points::plane(curve.iter().copied()));
     }
     let meaning =
         format!("the {word} limit cycle with damping [T8] as circles of radius R_B, {name} supports");
     let line =
         Line::new(format!("cycle {name} {word} 3-D"), meaning.clone(), Role::Corrected).stable(radii.stable);
-    composer.curve(space, line, rings(&radii.b));
+    composer.curve(space, line, rings(&radii.b, if radii.stable { 9 } else { 4 }));
     let line =
         Line::new(format!("tube {name} {word} 3-D"), meaning, Role::CorrectedSecond).stable(radii.stable);
-    composer.curve(space, line, tube(&radii.b));
+    composer.curve(space, line, tube(&radii.b, if radii.stable { 8 } else { 4 }));
     let (role, word) = if radii.stable {
         (Role::Supercritical, "supercritical Hopf bifurcation")
     } else {
@@ -236,12 +238,12 @@ fn cycle(composer: &mut Composer, flat: usize, space: usize, radii: &Radii, name
 }
 
 /// Circles across the tube, evenly spaced along it.
-fn rings(radii: &[(f64, f64)]) -> Points {
+fn rings(radii: &[(f64, f64)], count: usize) -> Points {
     let mut points = Points::default();
     let (Some(first), Some(last)) = (radii.first(), radii.last()) else {
         return points;
     };
-    for x in even(first.0, last.0, RINGS + 1).skip(1) {
+    for x in even(first.0, last.0, count + 1).skip(1) {
         let radius = radius_at(radii, x);
         points
             .piece_in_space(even(0.0, TAU, 49).map(|angle| (x, radius * angle.cos(), radius * angle.sin())));
@@ -249,10 +251,10 @@ fn rings(radii: &[(f64, f64)]) -> Points {
     points
 }
 
-/// Lines along the tube, at eight angles.
-fn tube(radii: &[(f64, f64)]) -> Points {
+/// Lines along the tube, evenly spaced about it.
+fn tube(radii: &[(f64, f64)], count: usize) -> Points {
     let mut points = Points::default();
-    for angle in even(0.0, TAU, 9).take(8) {
+    for angle in even(0.0, TAU, count + 1).take(count) {
         points
             .piece_in_space(radii.iter().map(|&(x, radius)| (x, radius * angle.cos(), radius * angle.sin())));
     }

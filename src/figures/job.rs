@@ -150,6 +150,13 @@ pub fn at_time(figure: &Figure, time: f64) -> Drawing {
     }
 }
 
+/// Time after which a motion is not waited for any longer to settle: slow meshes have long periods, stiff supports
+/// need short steps.
+pub(super) fn patience(parameters: &Parameters) -> f64 {
+    let fastest = (parameters.k_p / parameters.m_p).max(parameters.k_g / parameters.m_g).sqrt();
+    f64::min(1500.0, 1e5 / fastest)
+}
+
 /// A figure made by formulas alone.
 pub(super) fn formula(
     id: &'static str,

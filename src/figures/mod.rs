@@ -7,6 +7,7 @@ mod compose;
 mod determinant;
 mod eigenvalues;
 mod exponents;
+mod exponents_picture;
 mod gearing;
 mod hopf;
 mod job;

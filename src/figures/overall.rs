@@ -293,7 +293,7 @@ fn damped_pitchforks(
             name: format!("R_{letter}{subscript} damped"),
             meaning: format!("R_{letter}{subscript} with damping [T7], {}", stability(last.stable)),
             label: last.stable.then(|| format!("*R*_{{{letter}}} damped [T7]")),
-            label_at: 0.5,
+            label_at: 0.72,
             role: Role::Corrected,
             stable: last.stable,
             curve: half_parabola(edge, end, radius),
@@ -330,7 +330,7 @@ fn hopf_branches(
                     "R_{letter} of the solutions of (106)-(109) as printed, from the {side} edge, {}",
                     stability(radii.stable)
                 ),
-                label: (letter == "C").then(|| "paper (106)-(109)".to_owned()),
+                label: (letter == "B" && radii.edge * end < 0.0).then(|| "paper (106)–(109)".to_owned()),
                 label_at: 0.95,
                 role: Role::Paper,
                 stable: radii.stable,

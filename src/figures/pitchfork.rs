@@ -45,12 +45,11 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters, mode: Mode) -> R
          softening ones the other way round; both go on beyond the tongue"
             .to_owned()
     };
-    let edges = match damped {
-        Some(damped) => format!("with damping {}", number(damped / k0, 5)),
-        None => {
-            notes.push("Damping closes this tongue at this k0: the green branches are gone.".to_owned());
-            "with damping the tongue is closed".to_owned()
-        }
+    let edges = if let Some(damped) = damped {
+        format!("with damping {}", number(damped / k0, 5))
+    } else {
+        notes.push("Damping closes this tongue at this k0: the green branches are gone.".to_owned());
+        "with damping the tongue is closed".to_owned()
     };
     let summary = format!("Pitchforks at Omega_1 = -/+{} as printed, {edges}: {branches}.", number(width, 5));
     let method =
@@ -216,8 +215,8 @@ fn damped(setting: &Setting, supports: Supports, mode: Mode, end: f64) -> Result
                 supports.name(),
                 if last.stable { "stable (nodes or foci)" } else { "unstable (saddles)" }
             ),
-            label: format!("{word}, damped [T7]"),
-            label_at: 0.12,
+            label: "damped [T7]".to_owned(),
+            label_at: 0.08,
             role: Role::Corrected,
             stable: last.stable,
             curve: parabola(edge, end, radius),

@@ -13,12 +13,14 @@ use std::collections::HashSet;
 
 /// The paper's start, from which its mirror image and the others are made: at rest, on the manifold `u_g = -u_p`.
 const START: [f64; 6] = [-0.02, 0.02, 0.05, 0.0, 0.0, 0.0];
-/// Further points of the manifold to start from, over [`START`]'s scale: how far out, how fast.
+/// Further points of the manifold to start from: with another share of each mode.
 const FURTHER: [[f64; 6]; 2] = [[0.03, -0.03, 0.01, 0.0, 0.0, 0.0], [0.01, -0.01, 0.08, 0.0, 0.0, 0.0]];
-/// Most periods followed from each start.
+/// Most periods followed from the paper's start.
 const MOST: usize = 4000;
+/// Most periods followed from the others, which show how they come near.
+const MOST_FURTHER: usize = 1000;
 /// Periods computed in one slice.
-const SLICE: usize = 300;
+const SLICE: usize = 500;
 /// A start is followed until it is this near the attractor.
 const NEAR: f64 = 1e-3;
 /// Two points of the map this near, a few periods apart: an orbit is looked for there.
@@ -29,8 +31,10 @@ const LONGEST: usize = 4;
 const TRANSIENT: f64 = 0.6;
 /// Tolerance of the integration.
 const TOLERANCE: f64 = 1e-10;
-/// Cells along each axis in which a second point is not drawn: a tenth of a pixel of an ordinary picture.
-const CELLS: f64 = 6000.0;
+/// Cells along each axis in which a second point is not drawn: a third of a pixel of an ordinary picture.
+const CELLS: f64 = 2000.0;
+/// The same for transients, which are light and wide apart.
+const SPARSE: f64 = 1000.0;
 
 /// What the fixed point in the middle is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,7 +83,7 @@ enum End {
     Settled(usize, usize),
     /// Over the barrier.
     Escaped(f64),
-    /// Followed for [`MOST`] periods.
+    /// Followed as far as it may be.
     Wandering,
 }
 
@@ -89,6 +93,8 @@ struct Track {
     strobe: Strobe,
     states: Vec<[f64; 6]>,
     end: Option<End>,
+    /// Most periods it is followed.
+    most: usize,
     /// Searches for an orbit that failed: each waits twice as long for the next.
     next_search: usize,
 }
@@ -142,9 +148,11 @@ impl Map {
             starts.extend(starts.clone().into_iter().map(|start| start.map(|value| -value)));
         }
         for start in starts {
+            let paper = start.map(f64::abs) == START.map(f64::abs);
+            let most = if paper { MOST } else { MOST_FURTHER };
             let state = std::array::from_fn(|i| centre.state[i] + start[i]);
             let strobe = Strobe::new(&self.parameters, state, TOLERANCE)?;
-            self.tracks.push(Track { strobe, states: vec![state], end: None, next_search: 0 });
+            self.tracks.push(Track { strobe, states: vec![state], end: None, most, next_search: 0 });
         }
         if centre.stable {
             let orbit = PeriodicOrbit {
@@ -176,14 +184,12 @@ impl Map {
     fn follow(&mut self, index: usize, periods: usize) -> Result<(), FigureError> {
         for _ in 0..periods {
             let track = &mut self.tracks[index];
-            match track.strobe.next()? {
-                Some(state) => track.states.push(state),
-                None => {
-                    track.end = Some(End::Escaped(track.strobe.escaped().unwrap_or(0.0)));
-                    return Ok(());
-                }
-            }
-            if track.states.len() > MOST {
+            let Some(state) = track.strobe.next()? else {
+                track.end = Some(End::Escaped(track.strobe.escaped().unwrap_or(0.0)));
+                return Ok(());
+            };
+            track.states.push(state);
+            if track.states.len() > track.most {
                 track.end = Some(End::Wandering);
                 return Ok(());
             }
@@ -283,7 +289,7 @@ impl Map {
     }
 
     /// The points of a track as they are drawn: those up to the attractor.
-    fn shown<'a>(&self, track: &'a Track) -> &'a [[f64; 6]] {
+    fn shown(track: &Track) -> &[[f64; 6]] {
         match track.end {
             Some(End::Settled(_, count)) => &track.states[..count.min(track.states.len())],
             _ => &track.states,
@@ -304,7 +310,7 @@ impl Map {
 
     /// Half the width and the height of the frame, about the fixed point in the middle.
     fn reach(&self, centre: &Multipliers) -> (f64, f64) {
-        let all = self.tracks.iter().flat_map(|track| self.shown(track)).copied();
+        let all = self.tracks.iter().flat_map(Self::shown).copied();
         let nodes = self.attractors.iter().flat_map(|attractor| attractor.points.iter().copied());
         let (x, y) = all.chain(nodes).fold((0.0_f64, 0.0_f64), |(x, y), state| {
             (x.max((state[0] - centre.state[0]).abs()), y.max((state[3] - centre.state[3]).abs()))
@@ -324,34 +330,43 @@ impl Map {
             axis("u_p", "*u*_{p}", (x_0 - x, x_0 + x)),
             axis("u_p_dot", "*u*_{p}'", (y_0 - y, y_0 + y)),
         ));
-        let mut seen = Thinning::new((x_0, y_0), (x, y));
+        let mut seen = Thinning::new((x_0, y_0), (x, y), SPARSE);
+        let mut seen_late = Thinning::new((x_0, y_0), (x, y), CELLS);
+        let mut joints = Points::default();
         let mut transients = Points::default();
         let mut late = Points::default();
         let sides: &[f64] = if self.mirrored() { &[1.0, -1.0] } else { &[1.0] };
         for (number, track) in self.tracks.iter().enumerate() {
-            let shown = self.shown(track);
+            let shown = Self::shown(track);
             let cut = self.transient(track).min(shown.len());
             for &side in sides {
                 let point = |state: &[f64; 6]| (side * state[0], side * state[3]);
-                if kind == Centre::FlipSaddle {
+                if kind == Centre::FlipSaddle && track.most == MOST {
                     let mut joined = Points::default();
                     for first in 0..2 {
                         joined.piece(shown[..cut].iter().skip(first).step_by(2).map(point));
                     }
-                    let name = if side > 0.0 { "start" } else { "mirrored start" };
+                    let name = if side > 0.0 && number == 0 { "start" } else { "mirrored start" };
                     let line = Line::new(
-                        format!("{name} {} joined", number + 1),
+                        format!("{name} joined"),
                         "every second point of the map joined",
                         Role::Trajectory,
                     );
                     composer.curve(frame, line, joined);
                 }
-                transients.cloud(shown[..cut].iter().map(point).filter(|at| seen.first_there(*at)));
-                late.cloud(shown[cut..].iter().map(point).filter(|at| seen.first_there(*at)));
+                let way = if kind == Centre::FlipSaddle && track.most == MOST {
+                    &mut joints
+                } else {
+                    &mut transients
+                };
+                way.cloud(shown[..cut].iter().map(point).filter(|at| seen.first_there(*at)));
+                late.cloud(shown[cut..].iter().map(point).filter(|at| seen_late.first_there(*at)));
             }
         }
         let line = Line::new("trajectories", "points of the map on their way", Role::Trajectory);
         composer.add(frame, Mark::Cloud, line, transients);
+        let line = Line::new("points", "points of the map from the paper's start", Role::Trajectory);
+        composer.marks(frame, line, joints);
         let line = Line::new("limit cycle", "the closed curve on which the points stay", Role::Attractor);
         composer.add(frame, Mark::Cloud, line.label("limit cycle", 0.3), late);
         self.mark_attractors(&mut composer, frame, kind);
@@ -394,6 +409,13 @@ impl Map {
         if let Some(attractor) = self.attractors.get(skip) {
             let state = attractor.points[0];
             let period = attractor.orbit.period;
+            if !self.mirrored() || period != 2 {
+                return format!(
+                    "{middle}; starts end in a stable motion of period {period}T, one of whose points is u_p = {}, u_p' = {}.",
+                    number(state[0], 5),
+                    number(state[3], 5)
+                );
+            }
             return format!(
                 "{middle}; the starts end in the points of a stable motion of period {period}T at u_p = \u{b1}{}, \
                  u_p' = {}{}.",
@@ -490,8 +512,8 @@ struct Thinning {
 }
 
 impl Thinning {
-    fn new(middle: (f64, f64), reach: (f64, f64)) -> Self {
-        Self { middle, cell: (2.0 * reach.0 / CELLS, 2.0 * reach.1 / CELLS), seen: HashSet::new() }
+    fn new(middle: (f64, f64), reach: (f64, f64), cells: f64) -> Self {
+        Self { middle, cell: (2.0 * reach.0 / cells, 2.0 * reach.1 / cells), seen: HashSet::new() }
     }
 
     fn first_there(&mut self, (x, y): (f64, f64)) -> bool {
@@ -516,7 +538,7 @@ mod tests {
 
     #[test]
     fn thinning_keeps_one_point_of_a_cell() {
-        let mut thinning = Thinning::new((0.0, 0.0), (3.0, 3.0));
+        let mut thinning = Thinning::new((0.0, 0.0), (3.0, 3.0), 6000.0);
         assert!(thinning.first_there((1.0, 1.0)));
         assert!(!thinning.first_there((1.0001, 1.0001)));
         assert!(thinning.first_there((1.01, 1.0)));

@@ -1,7 +1,7 @@
 //! Figure 14: the transmission error in time, in permanent contact and with backlash.
 
 use super::compose::{Composer, Line, Points, axis, number, plane};
-use super::job::Figure;
+use super::job::{Figure, patience};
 use crate::chart::drawing::{Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::{Parameters, Regime};
@@ -10,7 +10,7 @@ use crate::study::time_response::{TimeResponse, TimeResponseOptions, time_respon
 
 /// Mesh periods drawn: at the paper's frequency they last to t = 118.
 const SHOWN: usize = 30;
-/// Mesh periods computed, to say what the motion settles on.
+/// Most mesh periods computed, to say what the motion settles on.
 const COMPUTED: usize = 160;
 /// Samples in each period.
 const SAMPLES: usize = 64;
@@ -31,8 +31,9 @@ struct Run {
 impl Run {
     fn new(parameters: &Parameters, regime: Regime) -> Result<Self, FigureError> {
         let parameters = Parameters { regime, ..*parameters };
+        let computed = ((patience(&parameters) / parameters.mesh_period()) as usize).clamp(SHOWN, COMPUTED);
         let options = TimeResponseOptions {
-            periods: COMPUTED as f64,
+            periods: computed as f64,
             samples_per_period: SAMPLES,
             ..TimeResponseOptions::new(&parameters)
         };
@@ -79,7 +80,12 @@ fn extremes(values: &[f64]) -> (f64, f64) {
 pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure, FigureError> {
     let contact = Run::new(parameters, Regime::Contact)?;
     let backlash = Run::new(parameters, Regime::Backlash)?;
-    let end = SHOWN as f64 * parameters.mesh_period();
+    let whole = SHOWN as f64 * parameters.mesh_period();
+    // Where both motions leave, the axis ends soon after.
+    let end = match (contact.escape_shown(), backlash.escape_shown()) {
+        (Some(one), Some(other)) => f64::min(whole, 1.5 * one.max(other)),
+        _ => whole,
+    };
     let (low, high) = vertical(&backlash);
     let mut composer = Composer::new((1, 1));
     let frame = composer.frame(plane(
@@ -93,23 +99,34 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
         .label("dead zone", 0.5);
     composer.add(frame, Mark::Band, zone, Points::plane([(0.0, -1.0), (end, 1.0)]));
     let line = Line::new("backlash", "u with the dead zone of (23)", Role::Exact);
-    composer.curve(frame, line.label("backlash (22)", 0.93), Points::plane(backlash.drawn()));
+    composer.curve(frame, line.label("backlash (22)", 0.155), Points::plane(backlash.drawn()));
     let line = Line::new("contact", "u in permanent contact (25), as in the paper", Role::OtherRegime);
-    composer.curve(frame, line.label("contact (25)", 0.6), Points::plane(contact.drawn()));
+    composer.curve(frame, line.label("contact (25)", 0.285), Points::plane(contact.drawn()));
 
     let mut notes = Vec::new();
     let loss = contact.response.contact_loss.first().copied().filter(|time| *time <= end);
     if let Some(time) = loss {
-        let label = format!("contact lost, *t* = {}", number(time, 4));
         let line = Line::new("contact lost", "contact is lost for the first time", Role::Event);
-        composer.marks(frame, line.label(&label, 0.5), Points::one((time, 1.0)));
+        composer.marks(frame, line, Points::one((time, 1.0)));
+        // The words stand below the dead zone, where the first swings leave room.
+        let height = -1.0 + 0.5 * (low + 1.0);
+        let line = Line::new("contact lost from here", "from here on (25) no longer holds", Role::Reference);
+        composer.curve(frame, line, Points::plane([(time, 1.0), (time, height)]));
+        let words = format!("contact lost at *t* = {}", number(time, 4));
+        let at = (time + 0.13 * end).min(0.85 * end);
+        composer.text(frame, "contact lost in words", &words, (at, height));
         notes.push(format!(
             "Contact is lost for the first time at t = {}; from here on (25) no longer holds.",
             number(time, 6)
         ));
     }
+    let mut marked = None;
     for (run, name) in [(&contact, "contact"), (&backlash, "backlash")] {
         let Some(time) = run.escape_shown() else { continue };
+        if marked.replace(time).is_some_and(|before: f64| (before - time).abs() < 1e-3 * end) {
+            notes.push(format!("In the regime {name} it escapes at the same time."));
+            continue;
+        }
         let at = run.response.states.last().map_or(0.0, |state| state[2]).clamp(low, high);
         let label = format!("escapes, *t* = {}", number(time, 4));
         let line = Line::new(
@@ -137,7 +154,9 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
         fate(&backlash),
         fate(&contact)
     );
-    let step = [&contact, &backlash].into_iter().filter_map(|run| run.response.error.step).reduce(f64::max);
+    // Where a motion escapes its last state says nothing about the error of what is drawn.
+    let bounded = [&contact, &backlash].into_iter().filter(|run| run.response.escaped.is_none());
+    let step = bounded.filter_map(|run| run.response.error.step).reduce(f64::max);
     Ok(Figure {
         id,
         parameters: *parameters,

@@ -5,7 +5,7 @@ use super::gearing::{
     GEAR_RADIUS, GEAR_TEETH, PINION_TEETH, Point, arc, arrow_head, base_radius, beside, damper, ground,
     line_of_action, outline, spring,
 };
-use super::{Figure, Motion};
+use super::job::{Figure, Motion, patience};
 use crate::chart::drawing::{Drawing, Frame, Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
@@ -32,8 +32,9 @@ const WINDOW: f64 = 0.27;
 /// # Errors
 /// Those of [`time_response`].
 pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure, FigureError> {
+    let settling = ((patience(parameters) / parameters.mesh_period()) as usize).min(SETTLING);
     let options = TimeResponseOptions {
-        periods: (SETTLING + SHOWN) as f64,
+        periods: (settling + SHOWN) as f64,
         samples_per_period: SAMPLES,
         ..TimeResponseOptions::new(parameters)
     };
@@ -63,6 +64,10 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
         "The loop shows {periods} mesh periods; the torsion is shared evenly between both bodies, and the \
          compression of teeth in contact is not drawn."
     ));
+    notes.push(
+        "Exaggerated against a gear pair whose half-backlash is 1/500 of the pinion's pitch radius."
+            .to_owned(),
+    );
     let summary = format!(
         "Pinion and gear on their supports, moving: u runs from {} to {} half-backlashes, so {contact}.",
         number(least, 4),
@@ -94,10 +99,11 @@ fn drawing(parameters: &Parameters, motion: &Motion, time: f64) -> Drawing {
         bare: true,
         ..plane("gears", "", (0, 0), axis("x", "", (-2.45, 3.3)), axis("y", "", (-2.35, 2.75)))
     });
+    let title = format!("{}, *k*(*t*)/*K* = {:.2}", pose.contact(), pose.mesh_stiffness);
     let close = composer.frame(Frame {
         equal_aspect: true,
         bare: true,
-        ..plane("mesh", "", (2, 0), axis("x", "", (-WINDOW, WINDOW)), axis("y", "", (-WINDOW, WINDOW)))
+        ..plane("mesh", &title, (2, 0), axis("x", "", (-WINDOW, WINDOW)), axis("y", "", (-WINDOW, WINDOW)))
     });
     supports(&mut composer, main, &pose);
     bodies(&mut composer, main, &pose, "");
@@ -161,6 +167,10 @@ impl Pose {
 
     fn touching(&self) -> bool {
         self.u.abs() >= 1.0
+    }
+
+    fn contact(&self) -> &'static str {
+        if self.touching() { "teeth in contact" } else { "teeth parted" }
     }
 }
 
@@ -277,10 +287,10 @@ fn furniture(composer: &mut Composer, frame: usize, pose: &Pose) {
     let pinion_ground = at((-1.0, 0.0), -2.05, 0.0);
     let gear_ground = at((GEAR_RADIUS, 0.0), 2.55, 0.0);
     for (name, words, point) in [
-        ("label m_p", "*m*_{p}", at(pose.pinion, 0.0, 0.62)),
-        ("label m_g", "*m*_{g}", at(pose.gear, -0.62, 0.62)),
-        ("label k_p", "*k*_{p}, *α*_{p}", at(pinion_ground, 0.42, 0.62)),
-        ("label zeta_p", "*ζ*_{p}", at(pinion_ground, 0.42, -0.5)),
+        ("label m_p", "*m*_{p}", (pose.pinion.0 + 0.3, pose.pinion.1)),
+        ("label m_g", "*m*_{g}", (pose.gear.0 - 0.3, pose.gear.1)),
+        ("label k_p", "*k*_{p}, *α*_{p}", at(pinion_ground, 0.42, -0.62)),
+        ("label zeta_p", "*ζ*_{p}", at(pinion_ground, 0.42, 0.5)),
         ("label k_g", "*k*_{g}, *α*_{g}", at(gear_ground, -0.42, 0.62)),
         ("label zeta_g", "*ζ*_{g}", at(gear_ground, -0.42, -0.5)),
         ("label line", "line of action", (0.15, 1.62)),
@@ -294,8 +304,7 @@ fn furniture(composer: &mut Composer, frame: usize, pose: &Pose) {
         number(pose.factor, 3),
         number(DRAWN_BACKLASH / ORDINARY_BACKLASH, 3)
     );
-    composer.text(frame, "scale", &scale, (1.35, -2.0));
-    composer.text(frame, "against", "(half-backlash taken as 1/500 of the pinion's radius)", (1.35, -2.24));
+    composer.text(frame, "scale", &scale, (1.3, -2.1));
 }
 
 fn contact(composer: &mut Composer, frame: usize, pose: &Pose) {
@@ -311,15 +320,12 @@ fn contact(composer: &mut Composer, frame: usize, pose: &Pose) {
     let (words, role) =
         if pose.touching() { ("teeth in contact", Role::Attractor) } else { ("teeth parted", Role::Event) };
     composer.marks(frame, Line::new("contact", words, role), Points::one(middle));
-    composer.text(frame, "contact in words", words, (0.0, -0.92 * WINDOW));
-    let stiffness = format!("*k*(*t*)/*K* = {:.2}", pose.mesh_stiffness);
-    composer.text(frame, "mesh stiffness", &stiffness, (0.0, 0.92 * WINDOW));
 }
 
 fn trace(composer: &mut Composer, motion: &Motion, pose: &Pose) {
     let length = motion.t.last().copied().filter(|length| *length > 0.0).unwrap_or(1.0);
     let (least, greatest) = ends(&motion.u);
-    let (low, high) = (least.min(-1.5).max(-1e3), greatest.clamp(1.5, 1e3));
+    let (low, high) = (least.clamp(-1e3, -1.5), greatest.clamp(1.5, 1e3));
     let margin = 0.06 * (high - low);
     let frame = composer.frame(plane(
         "u",

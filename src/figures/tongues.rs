@@ -153,7 +153,7 @@ mod tests {
     #[test]
     fn the_parts_of_a_split_curve_meet() {
         let points: Vec<(f64, f64)> = (0..6).map(|n| (f64::from(n), 0.0)).collect();
-        let [good, bad] = split(&points, |index| index < 2 || index > 3);
+        let [good, bad] = split(&points, |index| !(2..=3).contains(&index));
         assert_eq!((good.x, good.pieces), (vec![0.0, 1.0, 2.0, 4.0, 5.0], vec![0, 3]));
         assert_eq!(bad.x, vec![2.0, 3.0, 4.0]);
     }

@@ -4,3 +4,4 @@ pub mod floquet;
 pub mod newton;
 pub mod ode;
 pub mod periodic;
+pub mod roots;

@@ -23,7 +23,7 @@ pub const LONGEST: usize = 64;
 pub struct OrbitOptions {
     /// Period in mesh periods, 1 to [`LONGEST`].
     pub period: usize,
-    /// A state near the orbit at t = 0; none: the steady response for period 1, [T7] for period 2, the end of a
+    /// A state near the orbit at t = 0; none: the steady response for period 1, \[T7\] for period 2, the end of a
     /// long motion for longer ones.
     pub guess: Option<[f64; 6]>,
     /// Tolerance of the states, 1e-14 to 1e-3.
@@ -174,7 +174,7 @@ fn near(solution: &[f64; 6], guess: &[f64; 6], last: &[f64; 6]) -> bool {
     largest_difference(solution, guess) <= size.max(2.0 * largest_difference(guess, last))
 }
 
-/// Factors by which the first-order amplitude of [T7] is tried; the true one is smaller where k0 is not small.
+/// Factors by which the first-order amplitude of \[T7\] is tried; the true one is smaller where k0 is not small.
 const AMPLITUDES: [f64; 8] = [1.0, 0.8, 0.6, 0.45, 0.3, 0.2, 0.1, 1.3];
 
 fn period_two(p: &Parameters, options: &OrbitOptions) -> Result<PeriodicOrbit, StudyError> {
@@ -229,7 +229,7 @@ fn upper_half(
     }
 }
 
-/// First-order states of [T7], the tongue nearest to Omega first, each at several parts of its amplitude.
+/// First-order states of \[T7\], the tongue nearest to Omega first, each at several parts of its amplitude.
 fn period_two_guesses(p: &Parameters) -> Vec<[f64; 6]> {
     let Ok(symmetric) = p.symmetric() else { return Vec::new() };
     let Ok(modes) = Modes::of(&symmetric) else { return Vec::new() };

@@ -1,4 +1,4 @@
-//! The motions that are born at the edges of the tongues, to first order in `k0`, damped or not: [T7], [T8].
+//! The motions that are born at the edges of the tongues, to first order in `k0`, damped or not: \[T7\], \[T8\].
 //!
 //! Amplitudes are those of the paper: `u_p = -2 (q_2 + q_3)`, `u = a q_2 + b q_3` with `q_2` of amplitude `R_B` and
 //! `q_3` of amplitude `R_C`. Here `alpha` is the model's own number, `symmetric.alpha`.
@@ -10,7 +10,31 @@ use super::primary::{self, Branch};
 use crate::error::TheoryError;
 use crate::model::parameters::Symmetric;
 
-/// A motion of twice the mesh period in a primary tongue, [T7]: both its equilibria of the slow flow, "pi apart", are
+/// The second derivatives of `q_2, q_3` on the manifold `u_g = -u_p`, \[T1\], from their values and first derivatives:
+/// the model without load in modal coordinates, nothing left out.
+///
+/// # Errors
+/// [`TheoryError::Model`] for `m` or `k` out of range.
+pub fn modal_accelerations(
+    symmetric: &Symmetric,
+    time: f64,
+    q: [f64; 2],
+    q_dot: [f64; 2],
+) -> Result<[f64; 2], TheoryError> {
+    let modes = Modes::of(symmetric)?;
+    let (u, u_dot) = (modes.a * q[0] + modes.b * q[1], modes.a * q_dot[0] + modes.b * q_dot[1]);
+    let (sum, sum_dot) = (q[0] + q[1], q_dot[0] + q_dot[1]);
+    let mesh = symmetric.k0 * (symmetric.omega * time).cos() * u + 2.0 * symmetric.zeta * u_dot;
+    let support = 16.0 * symmetric.zeta_s * sum_dot + 32.0 * symmetric.alpha * sum.powi(3);
+    let of = |mode: Mode, own: f64| {
+        let c = modes.coefficient(mode);
+        let spread = c - modes.coefficient(mode.partner());
+        -modes.sigma(mode) * (own + (mesh + support / c) / spread)
+    };
+    Ok([of(Mode::Second, q[0]), of(Mode::Third, q[1])])
+}
+
+/// A motion of twice the mesh period in a primary tongue, \[T7\]: both its equilibria of the slow flow, "pi apart", are
 /// the two stroboscopic points of this one orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PeriodTwo {
@@ -24,7 +48,7 @@ pub struct PeriodTwo {
     pub stable: bool,
 }
 
-/// The branches of [T7] at the given `Omega`: sine and cosine, `None` where one does not exist. Without damping they
+/// The branches of \[T7\] at the given `Omega`: sine and cosine, `None` where one does not exist. Without damping they
 /// are (63), (64) or (88), (89).
 ///
 /// The branch born at the supercritical edge (left for hardening, right for softening) is stable, the other is not.
@@ -59,7 +83,7 @@ pub fn period_two(symmetric: &Symmetric, mode: Mode) -> Result<[Option<PeriodTwo
     ])
 }
 
-/// State `u_p, u_g, u, u_p', u_g', u'` at `t = 0` on the stable orbit of [T7], to start a search for the exact one of
+/// State `u_p, u_g, u, u_p', u_g', u'` at `t = 0` on the stable orbit of \[T7\], to start a search for the exact one of
 /// period `2 T`: the mode itself and, as (33) gives it, the first-order answer of both modes at half and three
 /// halves of the mesh frequency. `None` where the orbit does not exist.
 ///
@@ -86,6 +110,7 @@ pub fn orbit_state(modes: &Modes, symmetric: &Symmetric, mode: Mode, radius: f64
     ];
     // cos(Omega t) q_j, split into its parts at Omega/2 and 3 Omega/2.
     let mesh = [[0.5 * cosine, -0.5 * sine], [0.5 * cosine, 0.5 * sine]];
+    let velocity = [half * sine, -half * cosine];
     let own = modes.coefficient(mode);
     let mut state = [0.0; 6];
     let mut add = |shape: Mode, frequency: f64, amplitude: [f64; 2]| {
@@ -105,8 +130,12 @@ pub fn orbit_state(modes: &Modes, symmetric: &Symmetric, mode: Mode, radius: f64
                 continue;
             }
             let compliance = 1.0 / (sigma - frequency * frequency);
+            // The damping does not fall apart into the modes: at the mode's own frequency it drives the partner.
+            let friction =
+                if harmonic == 0 { 2.0 * symmetric.zeta * own + 16.0 * symmetric.zeta_s / c } else { 0.0 };
             let amplitude = std::array::from_fn(|part| {
-                let drive = symmetric.k0 * own * mesh[harmonic][part] * sigma / spread
+                let drive = friction * velocity[part] * sigma / spread
+                    + symmetric.k0 * own * mesh[harmonic][part] * sigma / spread
                     + 32.0 * symmetric.alpha * cube[harmonic][part] * sigma / (c * spread);
                 -drive * compliance
             });
@@ -119,7 +148,7 @@ pub fn orbit_state(modes: &Modes, symmetric: &Symmetric, mode: Mode, radius: f64
     state
 }
 
-/// A quasi-periodic motion in the combination tongue, [T8]: a cycle of the slow flow, a closed curve in the
+/// A quasi-periodic motion in the combination tongue, \[T8\]: a cycle of the slow flow, a closed curve in the
 /// stroboscopic map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cycle {
@@ -136,7 +165,7 @@ pub struct Cycle {
     pub frequencies: [f64; 2],
 }
 
-/// The cycles of [T8] at the given `Omega`: the supercritical edge's and the subcritical edge's, `None` where one does
+/// The cycles of \[T8\] at the given `Omega`: the supercritical edge's and the subcritical edge's, `None` where one does
 /// not exist. The first goes on beyond the tongue's other edge.
 ///
 /// Without damping the cycles are a family; given are those with the invariant of Manley and Rowe,

@@ -4,9 +4,10 @@
 //! The paper treats its four equations as a flow without giving each mode its own rate; what is printed and what
 //! averaging gives stand side by side.
 
-use nalgebra::{Complex, Matrix4};
+use nalgebra::Complex;
 
 use super::modes::{Amplitudes, Expansion, Mode, Modes, resonant_terms};
+use super::roots::real_roots;
 use crate::error::TheoryError;
 
 /// Mesh frequency `Omega_0` from which the tongue starts, (102) by way of (101): `omega_2 + omega_3`.
@@ -42,19 +43,19 @@ pub fn half_width_printed(modes: &Modes) -> f64 {
     4.0 * modes.k * emanating_frequency(modes) / modes.spread().powi(2)
 }
 
-/// Half-width per `k0`, `sqrt(W_2 W_3) = sqrt(2 k) (k/m)^(1/4) / (a - b)`: what (105) should be. [T4].
+/// Half-width per `k0`, `sqrt(W_2 W_3) = sqrt(2 k) (k/m)^(1/4) / (a - b)`: what (105) should be. \[T4\].
 pub fn half_width(modes: &Modes) -> f64 {
     (2.0 * modes.k).sqrt() * (modes.k / modes.m).powf(0.25) / modes.spread()
 }
 
-/// The couplings `H_2 = |b| omega_2 / (4 (a - b))`, `H_3 = a omega_3 / (4 (a - b))` of [T8], by which each mode drives
+/// The couplings `H_2 = |b| omega_2 / (4 (a - b))`, `H_3 = a omega_3 / (4 (a - b))` of \[T8\], by which each mode drives
 /// the other, per `k0`.
 pub fn couplings(modes: &Modes) -> [f64; 2] {
     Mode::BOTH
         .map(|mode| modes.coefficient(mode.partner()).abs() * modes.frequency(mode) / (4.0 * modes.spread()))
 }
 
-/// `g_2 = 48 alpha omega_2 / (a (a - b))`, `g_3 = -48 alpha omega_3 / (b (a - b))` of [T8]: how much each mode's
+/// `g_2 = 48 alpha omega_2 / (a (a - b))`, `g_3 = -48 alpha omega_3 / (b (a - b))` of \[T8\]: how much each mode's
 /// frequency rises with the square of its amplitude. Here `alpha` is the model's own, not the paper's.
 pub fn frequency_shifts(modes: &Modes, alpha: f64) -> [f64; 2] {
     Mode::BOTH.map(|mode| 48.0 * alpha * modes.frequency(mode) / modes.weight(mode))
@@ -124,7 +125,7 @@ pub fn origin_jacobian_printed(modes: &Modes, omega_1: f64) -> [[f64; 4]; 4] {
     [[0.0, -p, 0.0, k], [p, 0.0, k, 0.0], [0.0, k, 0.0, q], [k, 0.0, -q, 0.0]]
 }
 
-/// (110) with its rows multiplied by their [rates](rates): growth rates per `k0` are the eigenvalues of this.
+/// (110) with its rows multiplied by their [`rates`]: growth rates per `k0` are the eigenvalues of this.
 pub fn origin_jacobian(modes: &Modes, omega_1: f64) -> [[f64; 4]; 4] {
     let [second, third] = rates(modes);
     let mut jacobian = origin_jacobian_printed(modes, omega_1);
@@ -193,7 +194,7 @@ pub fn is_spiral_printed(modes: &Modes, omega_1: f64) -> bool {
     omega_1.abs() < half_width_printed(modes)
 }
 
-/// Whether the origin is unstable, undamped and to first order: (113) with the right half-width [T4].
+/// Whether the origin is unstable, undamped and to first order: (113) with the right half-width \[T4\].
 pub fn is_unstable(modes: &Modes, omega_1: f64) -> bool {
     omega_1.abs() < half_width(modes)
 }
@@ -213,7 +214,7 @@ pub struct PrintedSolution {
     pub radius_c: f64,
     /// `z` in `C_1 = z B_1`, `C_2 = -z B_2`.
     pub ratio: f64,
-    /// Whether no eigenvalue of the printed Jacobian there has a real part above rounding.
+    /// Whether no eigenvalue of the printed Jacobian there has a positive real part.
     pub stable: bool,
 }
 
@@ -234,50 +235,23 @@ pub fn printed_solutions(
     }
     let (a, b, k) = (modes.a, modes.b, modes.k);
     let s = modes.spread() * omega_1 / (2.0 * emanating_frequency(modes) * k);
-    let mut found: Vec<PrintedSolution> =
-        real_quartic_roots([-1.0, (2.0 * a + b) * s, 0.0, (a + 2.0 * b) * s])
-            .into_iter()
-            .filter_map(|z| {
-                let square = k * (z + a * s) / (6.0 * alpha * (1.0 + 2.0 * z * z));
-                (square > 0.0).then(|| {
-                    let radius_b = square.sqrt();
-                    let x = [radius_b, 0.0, z * radius_b, 0.0];
-                    let stable = no_growth(jacobian_printed(modes, alpha, omega_1, x));
-                    PrintedSolution { radius_b, radius_c: z.abs() * radius_b, ratio: z, stable }
-                })
-            })
-            .collect();
-    found.sort_by(|one, other| one.ratio.total_cmp(&other.ratio));
-    Ok(found)
-}
-
-/// Real roots of `z^4 + c_3 z^3 + c_2 z^2 + c_1 z + c_0`, from the companion matrix and polished by Newton.
-fn real_quartic_roots(c: [f64; 4]) -> Vec<f64> {
-    let value = |z: f64| (((z + c[3]) * z + c[2]) * z + c[1]) * z + c[0];
-    let slope = |z: f64| ((4.0 * z + 3.0 * c[3]) * z + 2.0 * c[2]) * z + c[1];
-    let companion =
-        Matrix4::new(-c[3], -c[2], -c[1], -c[0], 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0);
-    companion
-        .complex_eigenvalues()
-        .iter()
-        .filter(|root| root.im.abs() < 1e-6 * root.norm().max(1.0))
-        .map(|root| {
-            let mut z = root.re;
-            for _ in 0..4 {
-                let step = value(z) / slope(z);
-                if step.is_finite() && step.abs() < 1e-3 * z.abs().max(1.0) {
-                    z -= step;
+    let roots = real_roots(&[-1.0, (2.0 * a + b) * s, 0.0, (a + 2.0 * b) * s, 1.0]);
+    Ok(roots
+        .into_iter()
+        .filter_map(|z| {
+            let square = k * (z + a * s) / (6.0 * alpha * (1.0 + 2.0 * z * z));
+            // With B_2 = C_2 = 0 the Jacobian couples only cosines with sines; of its squared eigenvalues one is
+            // zero, along the circle, and this with the sign turned is the other.
+            let squared_frequency = k * k * (z - 1.0 / z).powi(2) + 72.0 * alpha * k * z * square;
+            (square > 0.0).then(|| {
+                let radius_b = square.sqrt();
+                PrintedSolution {
+                    radius_b,
+                    radius_c: z.abs() * radius_b,
+                    ratio: z,
+                    stable: squared_frequency > 0.0,
                 }
-            }
-            z
+            })
         })
-        .collect()
-}
-
-/// Whether no eigenvalue has a real part above rounding. A circle of equilibria has a double eigenvalue zero, which
-/// rounding splits by the square root of its unit.
-fn no_growth(jacobian: [[f64; 4]; 4]) -> bool {
-    let matrix = Matrix4::from_fn(|row, column| jacobian[row][column]);
-    let scale = matrix.amax();
-    matrix.complex_eigenvalues().iter().all(|lambda| lambda.re < 1e-6 * scale)
+        .collect())
 }

@@ -1,4 +1,4 @@
-//! What damping does to the tongues, to first order in `k0`: [T2], [T5], [T6] and the exponents of the origin.
+//! What damping does to the tongues, to first order in `k0`: \[T2\], \[T5\], \[T6\] and the exponents of the origin.
 //!
 //! The paper has no damping here. Rates and exponents are per unit of dimensionless time.
 
@@ -10,7 +10,7 @@ use super::{combination, primary};
 use crate::error::TheoryError;
 use crate::model::parameters::Symmetric;
 
-/// Rate at which a free vibration of the mode decays, [T2]:
+/// Rate at which a free vibration of the mode decays, \[T2\]:
 /// `d_j = zeta c_j sigma_j/(c_j - c_i) + 8 zeta_s sigma_j/(c_j (c_j - c_i))`.
 pub fn decay_rate(modes: &Modes, mode: Mode, zeta: f64, zeta_s: f64) -> f64 {
     let sigma = modes.sigma(mode);
@@ -22,26 +22,26 @@ pub(super) fn decay_rates(modes: &Modes, symmetric: &Symmetric) -> [f64; 2] {
     Mode::BOTH.map(|mode| decay_rate(modes, mode, symmetric.zeta, symmetric.zeta_s))
 }
 
-/// Half-width in `Omega` of the primary tongue, [T5]: `sqrt((k0 W_j)^2 - (2 d_j)^2)`; `None` where damping closes it.
+/// Half-width in `Omega` of the primary tongue, \[T5\]: `sqrt((k0 W_j)^2 - (2 d_j)^2)`; `None` where damping closes it.
 pub fn primary_half_width(modes: &Modes, mode: Mode, symmetric: &Symmetric) -> Option<f64> {
     let drive = symmetric.k0 * primary::half_width(modes, mode);
     let loss = 2.0 * decay_rate(modes, mode, symmetric.zeta, symmetric.zeta_s);
     (drive > loss).then(|| ((drive - loss) * (drive + loss)).sqrt())
 }
 
-/// Edges of the primary tongue, [T5]; `None` where damping closes it.
+/// Edges of the primary tongue, \[T5\]; `None` where damping closes it.
 pub fn primary_edges(modes: &Modes, mode: Mode, symmetric: &Symmetric) -> Option<Edges> {
     let half_width = primary_half_width(modes, mode, symmetric)?;
     Some(Edges::about(primary::emanating_frequency(modes, mode), half_width))
 }
 
-/// The `k0` above which the primary tongue is open, [T5]: `2 d_j / W_j`. May be above 1.
+/// The `k0` above which the primary tongue is open, \[T5\]: `2 d_j / W_j`. May be above 1.
 pub fn primary_threshold(modes: &Modes, mode: Mode, symmetric: &Symmetric) -> f64 {
     2.0 * decay_rate(modes, mode, symmetric.zeta, symmetric.zeta_s) / primary::half_width(modes, mode)
 }
 
-/// Half-width in `Omega` of the combination tongue, [T6]: `(d_2 + d_3) sqrt((k0 W_c)^2/(4 d_2 d_3) - 1)`, without
-/// damping [T4]; `None` where damping closes it. As the damping vanishes this stays wider than [T4].
+/// Half-width in `Omega` of the combination tongue, \[T6\]: `(d_2 + d_3) sqrt((k0 W_c)^2/(4 d_2 d_3) - 1)`, without
+/// damping \[T4\]; `None` where damping closes it. As the damping vanishes this stays wider than \[T4\].
 pub fn combination_half_width(modes: &Modes, symmetric: &Symmetric) -> Option<f64> {
     let drive = symmetric.k0 * combination::half_width(modes);
     let [second, third] = decay_rates(modes, symmetric);
@@ -52,13 +52,13 @@ pub fn combination_half_width(modes: &Modes, symmetric: &Symmetric) -> Option<f6
     (drive > loss).then(|| (second + third) * ((drive - loss) * (drive + loss)).sqrt() / loss)
 }
 
-/// Edges of the combination tongue, [T6]; `None` where damping closes it.
+/// Edges of the combination tongue, \[T6\]; `None` where damping closes it.
 pub fn combination_edges(modes: &Modes, symmetric: &Symmetric) -> Option<Edges> {
     let half_width = combination_half_width(modes, symmetric)?;
     Some(Edges::about(combination::emanating_frequency(modes), half_width))
 }
 
-/// The `k0` above which the combination tongue is open, [T6]: `2 sqrt(d_2 d_3) / W_c`. May be above 1.
+/// The `k0` above which the combination tongue is open, \[T6\]: `2 sqrt(d_2 d_3) / W_c`. May be above 1.
 pub fn combination_threshold(modes: &Modes, symmetric: &Symmetric) -> f64 {
     let [second, third] = decay_rates(modes, symmetric);
     2.0 * (second * third).sqrt() / combination::half_width(modes)

@@ -13,6 +13,7 @@ use nalgebra::Complex;
 
 use super::modes::{Mode, Modes};
 use super::primary;
+use super::roots::ridders;
 use super::tongues::Edges;
 use crate::error::TheoryError;
 use crate::model::parameters::Symmetric;
@@ -81,6 +82,8 @@ fn elastic_part(modes: &Modes, symmetric: &Symmetric, omega: f64) -> f64 {
 /// The middle of the tongue, where `Z` has no elastic part, followed from `k0 = 0` to the given `k0`.
 fn middle(modes: &Modes, mode: Mode, symmetric: &Symmetric) -> Result<f64, TheoryError> {
     let start = primary::emanating_frequency(modes, mode);
+    // The dynamic stiffness rises from zero to about one within this, however small against the frequency.
+    let width = primary::half_width(modes, mode);
     let steps = (symmetric.k0 / 0.02).ceil().max(1.0) as usize;
     // At even k0: the middle moves with k0 squared. The two last points predict the next.
     let (mut before, mut middle) = (start, start);
@@ -93,71 +96,41 @@ fn middle(modes: &Modes, mode: Mode, symmetric: &Symmetric) -> Result<f64, Theor
         } else {
             0.0
         };
-        let next = newton(|omega| elastic_part(modes, &at, omega), middle + advance, start)?;
+        let next = newton(|omega| elastic_part(modes, &at, omega), middle + advance, width)?;
         (before, middle) = (middle, next);
     }
     Ok(middle)
 }
 
-/// Newton's iteration with a difference quotient, kept within 5 % of the scale a step.
-fn newton(function: impl Fn(f64) -> f64, start: f64, scale: f64) -> Result<f64, TheoryError> {
+/// Newton's iteration with a difference quotient, for a function that varies over the given width.
+fn newton(function: impl Fn(f64) -> f64, start: f64, width: f64) -> Result<f64, TheoryError> {
     let mut x = start;
     let mut residual = f64::INFINITY;
-    for _ in 0..40 {
-        let width = 1e-6 * scale;
+    let difference = 1e-4 * width;
+    for _ in 0..60 {
         let value = function(x);
         residual = value.abs();
-        let slope = (function(x + width) - function(x - width)) / (2.0 * width);
+        let slope = (function(x + difference) - function(x - difference)) / (2.0 * difference);
         let step = value / slope;
         if !step.is_finite() {
             break;
         }
-        x -= step.clamp(-0.05 * scale, 0.05 * scale);
-        if step.abs() < 1e-12 * scale {
+        x -= step.clamp(-0.2 * width, 0.2 * width);
+        if step.abs() < 1e-8 * width + 4.0 * f64::EPSILON * start.abs() {
             return Ok(x);
         }
     }
     Err(TheoryError::NoConvergence { residual })
 }
 
-/// Root between two points where the function has opposite signs, by Ridders' method: each step fits an exponential
-/// through the ends and the middle, and the bracket at least halves.
-fn ridders(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let (mut at_low, mut at_high) = (function(low), function(high));
-    let mut best = 0.5 * (low + high);
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        let at_middle = function(middle);
-        let root = (at_middle * at_middle - at_low * at_high).sqrt();
-        if root == 0.0 {
-            return middle;
-        }
-        let candidate = middle + (middle - low) * (at_low - at_high).signum() * at_middle / root;
-        let at_candidate = function(candidate);
-        let settled = (candidate - best).abs() <= 2.0 * f64::EPSILON * candidate.abs();
-        best = candidate;
-        if at_candidate == 0.0 || settled {
-            return best;
-        }
-        if at_middle.signum() != at_candidate.signum() {
-            (low, at_low, high, at_high) = (middle, at_middle, candidate, at_candidate);
-        } else if at_low.signum() == at_candidate.signum() {
-            (low, at_low) = (candidate, at_candidate);
-        } else {
-            (high, at_high) = (candidate, at_candidate);
-        }
-        if (high - low).abs() <= 2.0 * f64::EPSILON * best.abs() {
-            return best;
-        }
-    }
-    best
-}
-
 /// The deepest point of the tongue near its middle, and the determinant there.
 fn deepest(modes: &Modes, mode: Mode, symmetric: &Symmetric) -> Result<(f64, f64), TheoryError> {
     let step = symmetric.k0 * primary::half_width(modes, mode) / 16.0;
     let value = |omega: f64| determinant(modes, symmetric, omega);
-    let mut centre = middle(modes, mode, symmetric)?;
+    // Damping moves the tongue little but may take the elastic part's zero away, so start from the undamped middle;
+    // only where another tongue hides that, damping may help.
+    let undamped = Symmetric { zeta: 0.0, zeta_s: 0.0, ..*symmetric };
+    let mut centre = middle(modes, mode, &undamped).or_else(|_| middle(modes, mode, symmetric))?;
     let mut depth = value(centre);
     for _ in 0..64 {
         let (left, right) = (value(centre - step), value(centre + step));
@@ -174,7 +147,7 @@ fn deepest(modes: &Modes, mode: Mode, symmetric: &Symmetric) -> Result<(f64, f64
     let (mut low, mut high) = (centre - step, centre + step);
     let (mut one, mut two) = (high - golden * (high - low), low + golden * (high - low));
     let (mut at_one, mut at_two) = (value(one), value(two));
-    while high - low > 1e-9 * centre.abs() {
+    while high - low > 1e-7 * step + 4.0 * f64::EPSILON * centre.abs() {
         if at_one < at_two {
             (high, two, at_two) = (two, one, at_one);
             one = high - golden * (high - low);

@@ -21,6 +21,7 @@ impl Mode {
     pub const BOTH: [Self; 2] = [Self::Second, Self::Third];
 
     /// The other of the two.
+    #[must_use]
     pub fn partner(self) -> Self {
         match self {
             Self::Second => Self::Third,

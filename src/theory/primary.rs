@@ -87,7 +87,7 @@ pub fn half_width_printed(modes: &Modes, mode: Mode) -> f64 {
     own * (partner + 2.0 * modes.m + 4.0) / (2.0 * modes.m * omega_0 * (own - partner))
 }
 
-/// Half-width per `k0`, `W_j = |c_j| omega_j / (2 (a - b))`: what (56) and (82) come to, without cancellation. [T3].
+/// Half-width per `k0`, `W_j = |c_j| omega_j / (2 (a - b))`: what (56) and (82) come to, without cancellation. \[T3\].
 pub fn half_width(modes: &Modes, mode: Mode) -> f64 {
     modes.coefficient(mode).abs() * modes.frequency(mode) / (2.0 * modes.spread())
 }

@@ -28,15 +28,15 @@ pub struct Tongue {
     pub omega_0: f64,
     /// First order without damping as printed: (56), (82), (105).
     pub paper: Option<Edges>,
-    /// First order without damping, corrected: [T3], [T4].
+    /// First order without damping, corrected: \[T3\], \[T4\].
     pub corrected: Option<Edges>,
-    /// First order with damping: [T5], [T6].
+    /// First order with damping: \[T5\], \[T6\].
     pub damped: Option<Edges>,
     /// All orders, with damping, by Hill's determinant; only for the primary tongues.
     pub hill: Option<Edges>,
     /// Why `hill` is missing where it is not for being closed.
     pub hill_error: Option<TheoryError>,
-    /// `k0` above which the tongue is open with damping, first order: [T5], [T6]. May be above 1.
+    /// `k0` above which the tongue is open with damping, first order: \[T5\], \[T6\]. May be above 1.
     pub threshold: f64,
 }
 

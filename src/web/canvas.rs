@@ -228,8 +228,13 @@ impl Surface for CanvasSurface {
             return Ok(());
         };
         let (red, green, blue) = cloud.color.rgb;
-        let bytes: Vec<u8> =
-            image.alpha.iter().flat_map(|alpha| [red, green, blue, (alpha * 255.0).round() as u8]).collect();
+        // Most pixels stay empty: their colour does not matter.
+        let mut bytes = vec![0_u8; 4 * image.alpha.len()];
+        for (pixel, &alpha) in bytes.chunks_exact_mut(4).zip(&image.alpha) {
+            if alpha > 0.0 {
+                pixel.copy_from_slice(&[red, green, blue, (alpha * 255.0).round() as u8]);
+            }
+        }
         let (width, height) = (image.size.0 as u32, image.size.1 as u32);
         let js = |error: JsValue| failed(&error);
         let pixels =
@@ -241,7 +246,7 @@ impl Surface for CanvasSurface {
             onto.ok_or_else(|| failed(&JsValue::from_str("no 2-D context for a cloud of points")))?;
         onto.put_image_data(&pixels, 0.0, 0.0).map_err(js)?;
         self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0).map_err(js)?;
-        let (left, top) = (f64::from(image.origin.0), f64::from(image.origin.1));
+        let (left, top) = (image.origin.0 as f64, image.origin.1 as f64);
         self.context.draw_image_with_offscreen_canvas(&layer, left, top).map_err(js)?;
         self.in_units()
     }

@@ -6,19 +6,23 @@ use web_sys::HtmlCanvasElement;
 use web_sys::js_sys::{Array, Float64Array};
 
 use crate::chart::drawing::Drawing;
-use crate::chart::{self, FrameMap, Theme, View};
+use crate::chart::svg::check_size;
+use crate::chart::{self, FrameMap, SvgSurface, Theme, View};
 use crate::figures::{self, Figure};
 use crate::web::canvas::CanvasSurface;
 use crate::web::columns::Record;
 use crate::web::drawing;
 use crate::web::errors::{Allowed, Given, WebError};
 use crate::web::options::Options;
+use crate::web::surface::AnySurface;
 use crate::web::values;
 
 /// Sides of a picture, CSS pixels.
 const SIDE: (f64, f64) = (120.0, 8192.0);
 /// Default width of an SVG picture; its height follows from the figure's aspect.
 const WIDTH: f64 = 720.0;
+/// Longest side of a canvas's backing store that every browser makes, pixels.
+const LARGEST_STORE: f64 = 16_384.0;
 /// Names of the themes, for errors.
 const THEMES: &str = "light, dark";
 
@@ -39,8 +43,12 @@ pub fn svg(id_or_figure: &JsValue, params: &JsValue, options: &JsValue) -> Resul
     let height =
         if given_height.is_nan() { (width / aspect).round().clamp(SIDE.0, SIDE.1) } else { given_height };
     let picture = at_time(&figure, time);
-    let text = chart::svg(&picture, &title, &figure.summary, (width, height), &theme, &view);
-    Ok(text.map_err(WebError::from)?)
+    let mut surface = AnySurface::Svg(SvgSurface::new((width, height)).map_err(WebError::from)?);
+    chart::draw(&mut surface, &picture, &theme, &view).map_err(WebError::from)?;
+    match surface {
+        AnySurface::Svg(text) => Ok(text.finish(&title, &figure.summary)),
+        AnySurface::Canvas(_) => Err(WebError::internal("a text became a canvas".into()).into()),
+    }
 }
 
 /// Draws onto a canvas: `draw(idOrFigure, params, canvas, {theme, density, view})`; answers the map between pixels
@@ -64,9 +72,40 @@ pub fn draw(
     })?;
     let (figure, _) = figure(id_or_figure, params)?;
     let picture = at_time(&figure, time);
-    let mut surface = CanvasSurface::new(canvas.clone(), density).map_err(WebError::from)?;
+    let density = fit_store(canvas, density)?;
+    let surface = CanvasSurface::new(canvas.clone(), density).map_err(WebError::from)?;
+    let mut surface = AnySurface::Canvas(surface);
     let maps = chart::draw(&mut surface, &picture, &theme, &view).map_err(WebError::from)?;
     Ok(Record::new().list("frames", maps.iter().map(frame_map)).finish()?)
+}
+
+/// Gives the canvas as many pixels as its place on the page needs at this density; a canvas without a place keeps its
+/// own. Answers the density that was used.
+///
+/// # Errors
+/// `drawing`, for a canvas too small or too large; it is then left as it was.
+fn fit_store(canvas: &HtmlCanvasElement, density: f64) -> Result<f64, WebError> {
+    let place = (canvas.client_width(), canvas.client_height());
+    if place.0 <= 0 || place.1 <= 0 {
+        return Ok(density);
+    }
+    let (width, height) = (f64::from(place.0), f64::from(place.1));
+    check_size(width, height)?;
+    let density = density.min(LARGEST_STORE / width.max(height));
+    let store = ((width * density).round() as u32, (height * density).round() as u32);
+    if (canvas.width(), canvas.height()) != store {
+        canvas.set_width(store.0);
+        canvas.set_height(store.1);
+        if (canvas.client_width(), canvas.client_height()) != place {
+            // No style gives it a size: its place follows its pixels, and would grow with every drawing.
+            let style = canvas.style();
+            for (name, side) in [("width", width), ("height", height)] {
+                let set = style.set_property(name, &format!("{side}px"));
+                set.map_err(|_| WebError::internal("the canvas cannot be given a size".into()))?;
+            }
+        }
+    }
+    Ok(density)
 }
 
 /// A figure by its id, computed, or from a figure object, read back.

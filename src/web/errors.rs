@@ -17,8 +17,10 @@ pub enum Given {
     Nothing,
     /// A number, finite or not.
     Number(f64),
-    /// A text, or in words what kind of value it was.
+    /// A text.
     Text(String),
+    /// In words, what kind of value it was: an array, `null`, something that cannot be read.
+    Words(String),
 }
 
 /// What is allowed.
@@ -128,7 +130,7 @@ impl WebError {
         let given = match &self.given {
             Given::Nothing => JsValue::NULL,
             Given::Number(number) => (*number).into(),
-            Given::Text(text) => text.into(),
+            Given::Text(text) | Given::Words(text) => text.into(),
         };
         let allowed = match &self.allowed {
             Allowed::Nothing => JsValue::NULL,
@@ -158,6 +160,7 @@ impl Given {
             Self::Nothing => "nothing".into(),
             Self::Number(number) => number_words(*number),
             Self::Text(text) => format!("\"{text}\""),
+            Self::Words(words) => words.clone(),
         }
     }
 }
@@ -166,7 +169,9 @@ impl Allowed {
     fn words(&self) -> String {
         match self {
             Self::Nothing => "something else".into(),
-            Self::Range(low, high) => format!("a number from {low} to {high}"),
+            Self::Range(low, high) => {
+                format!("a number from {} to {}", number_words(*low), number_words(*high))
+            }
             Self::Text(text) => text.clone(),
         }
     }
@@ -176,6 +181,10 @@ impl Allowed {
 pub fn number_words(number: f64) -> String {
     if number.is_infinite() {
         return if number > 0.0 { "Infinity".into() } else { "-Infinity".into() };
+    }
+    let magnitude = number.abs();
+    if number != 0.0 && !(1e-4..1e7).contains(&magnitude) && !number.is_nan() {
+        return format!("{number:e}");
     }
     format!("{number}")
 }
@@ -335,7 +344,7 @@ impl From<ChartError> for WebError {
             ChartError::Malformed { name, fault } => Self {
                 code: "drawing",
                 parameter: Some(name),
-                given: Given::Text(fault.into()),
+                given: Given::Words(fault.into()),
                 allowed: Allowed::Nothing,
                 message,
             },

@@ -10,7 +10,7 @@
 //! | `errors` | the one place where a typed error becomes a `GearError` |
 //! | `theory`, `study`, `physical`, `figure`, `draw` | the calls |
 //! | `drawing`, `part`, `vocabulary` | figures as plain objects, there and back |
-//! | `canvas` | the drawing surface over a canvas |
+//! | `canvas`, `surface` | the drawing surface over a canvas; one surface for canvas and SVG |
 //! | `bench` | what measurements and the test of a trap need |
 
 pub mod bench;
@@ -24,6 +24,7 @@ mod options;
 mod part;
 pub mod physical;
 pub mod study;
+mod surface;
 pub mod theory;
 mod values;
 mod vocabulary;

@@ -149,7 +149,7 @@ impl Options {
         let length = numbers.len();
         <[f64; 6]>::try_from(numbers)
             .map(Some)
-            .map_err(|_| WebError::option(name, Given::Text(format!("{length} numbers")), allowed()))
+            .map_err(|_| WebError::option(name, Given::Words(format!("{length} numbers")), allowed()))
     }
 
     /// A text of at most 80 characters.

@@ -27,7 +27,7 @@ impl Part {
             return Err(self.wrong("an object"));
         }
         let value = Reflect::get(&self.value, &name.into())
-            .map_err(|_| WebError::drawing(name, Given::Text("something unreadable".into()), "readable"))?;
+            .map_err(|_| WebError::drawing(name, Given::Words("something unreadable".into()), "readable"))?;
         let path = if self.path == "the object" { name.to_string() } else { format!("{}.{name}", self.path) };
         Ok(Self { path, value })
     }
@@ -131,6 +131,6 @@ impl Part {
 
     /// The error that says what this must be, where the value itself is not worth repeating.
     pub fn unfit(&self, given: &str, allowed: &str) -> WebError {
-        WebError::drawing(&self.path, Given::Text(given.into()), allowed)
+        WebError::drawing(&self.path, Given::Words(given.into()), allowed)
     }
 }

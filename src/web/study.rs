@@ -11,8 +11,8 @@ use crate::web::columns::Record;
 use crate::web::errors::{Allowed, Given, WebError};
 use crate::web::options::{self, Options};
 
-/// Longest time response, mesh periods.
-const MOST_PERIODS: f64 = 1e5;
+/// Shortest and longest time response, mesh periods.
+const PERIODS: (f64, f64) = (1e-6, 1e5);
 /// Finest sampling, rows a period.
 const MOST_SAMPLES: usize = 10_000;
 /// Most rows of one answer.
@@ -47,11 +47,11 @@ pub fn time_response(params: &JsValue, options: &JsValue) -> Result<JsValue, JsV
     let options = Options::read(options, &["state", "periods", "samplesPerPeriod", "tolerance"])?;
     let parameters = options::parameters(params)?;
     let usual = TimeResponseOptions::new(&parameters);
-    let periods = options.number("periods", (f64::MIN_POSITIVE, MOST_PERIODS), usual.periods)?;
+    let periods = options.number("periods", PERIODS, usual.periods)?;
     let samples_per_period =
         options.whole("samplesPerPeriod", (1, MOST_SAMPLES), usual.samples_per_period)?;
     if periods * samples_per_period as f64 > MOST_ROWS as f64 {
-        let given = Given::Text(format!("{periods} times {samples_per_period}"));
+        let given = Given::Words(format!("{periods} times {samples_per_period}"));
         let allowed = Allowed::Text(format!("with samplesPerPeriod at most {MOST_ROWS} rows"));
         return Err(WebError::option("periods", given, allowed).into());
     }
@@ -83,7 +83,7 @@ pub fn poincare(params: &JsValue, options: &JsValue) -> Result<JsValue, JsValue>
     let points = options.whole("points", (1, MOST_ROWS), usual.points)?;
     let transient = options.whole("transient", (0, MOST_ROWS), usual.transient)?;
     if points + transient > MOST_ROWS {
-        let given = Given::Text(format!("{points} after {transient}"));
+        let given = Given::Words(format!("{points} after {transient}"));
         let allowed = Allowed::Text(format!("with the transient at most {MOST_ROWS} periods"));
         return Err(WebError::option("points", given, allowed).into());
     }

@@ -20,7 +20,7 @@ pub fn given(value: &JsValue) -> Given {
     if let Some(text) = value.as_string() {
         return Given::Text(shortened(&text));
     }
-    Given::Text(kind(value).into())
+    Given::Words(kind(value).into())
 }
 
 /// The same for the middle of a sentence.
@@ -76,15 +76,15 @@ pub fn properties(what: &str, value: &JsValue) -> Result<Vec<(String, JsValue)>,
     if !is_plain_object(value) {
         return Err(WebError::not_an_object(what, given(value)));
     }
-    let unreadable = || WebError::not_an_object(what, Given::Text("an object that cannot be read".into()));
+    let unreadable = || WebError::not_an_object(what, Given::Words("an object that cannot be read".into()));
     let keys = Reflect::own_keys(value).map_err(|_| unreadable())?;
     if keys.length() > MOST {
-        return Err(WebError::not_an_object(what, Given::Text(format!("one of {} names", keys.length()))));
+        return Err(WebError::not_an_object(what, Given::Words(format!("one of {} names", keys.length()))));
     }
     let mut properties = Vec::new();
     for key in keys.iter() {
         let Some(name) = key.as_string() else {
-            return Err(WebError::not_an_object(what, Given::Text("one with a symbol for a name".into())));
+            return Err(WebError::not_an_object(what, Given::Words("one with a symbol for a name".into())));
         };
         let property = Reflect::get(value, &key).map_err(|_| unreadable())?;
         properties.push((name, property));
@@ -126,7 +126,7 @@ pub fn numbers(value: &JsValue, most: usize) -> Result<Vec<f64>, Given> {
         let element = item(value, index)?;
         match element.as_f64() {
             Some(number) => numbers.push(number),
-            None => return Err(Given::Text(format!("{} among the numbers", given_words(&element)))),
+            None => return Err(Given::Words(format!("{} among the numbers", given_words(&element)))),
         }
     }
     Ok(numbers)
@@ -146,7 +146,7 @@ pub fn list_length(value: &JsValue, most: usize) -> Result<usize, Given> {
             if length <= most as f64 {
                 Ok(length as usize)
             } else {
-                Err(Given::Text(format!("a list of {length}")))
+                Err(Given::Words(format!("a list of {length}")))
             }
         }
         _ => Err(given(value)),
@@ -159,5 +159,5 @@ pub fn list_length(value: &JsValue, most: usize) -> Result<usize, Given> {
 /// In words, what was found instead.
 pub fn item(value: &JsValue, index: usize) -> Result<JsValue, Given> {
     Reflect::get_u32(value, u32::try_from(index).unwrap_or(u32::MAX))
-        .map_err(|_| Given::Text("a list that cannot be read".into()))
+        .map_err(|_| Given::Words("a list that cannot be read".into()))
 }

@@ -242,8 +242,8 @@ pub fn response() -> Drawing {
         drawing.series.push(labelled(zone, "dead zone", 0.02));
         let mut contact = series(row, &format!("contact {row}"), Role::OtherRegime, Mark::Curve);
         let mut backlash = series(row, &format!("backlash {row}"), Role::Exact, Mark::Curve);
-        for i in 0..=24_000 {
-            let t = f64::from(i) / 200.0;
+        for i in 0..=9_000 {
+            let t = f64::from(i) / 75.0;
             let growth = if row == 0 { 0.8 * (t / 24.0).exp() } else { 1.6 * (-t / 9.0).exp() + 0.3 };
             let bounded =
                 if row == 0 { 2.6 * (1.0 - (-t / 14.0).exp()) } else { 1.6 * (-t / 9.0).exp() + 0.3 };

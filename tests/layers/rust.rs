@@ -17,9 +17,12 @@ const ARROWS: [(&str, &[&str]); 8] = [
     ("web", &["figures", "study", "theory", "model", "chart"]),
 ];
 
-/// Crates from elsewhere, each with the layers that may name it. What is not listed may not be named at all.
-const CRATES: [(&str, &[&str]); 7] = [
+/// Crates from elsewhere, or paths in them, each with the layers that may name them.
+///
+/// A complex number is a number: the theory's answers are of that type, and whoever shows them may say so.
+const CRATES: [(&str, &[&str]); 8] = [
     ("nalgebra", &["numerics", "theory"]),
+    ("nalgebra::Complex", &["figures"]),
     ("plotters", &["chart", "web"]),
     ("plotters_backend", &["chart", "web"]),
     ("plotters_canvas", &["web"]),
@@ -60,8 +63,10 @@ pub fn violations(files: &[(String, String)]) -> Vec<String> {
 fn objection(file: &str, layer: &str, path: &[String], interfaces: &BTreeSet<String>) -> Option<String> {
     let first = path.first()?.as_str();
     if first != "crate" {
-        let (_, users) = CRATES.iter().find(|(name, _)| *name == first)?;
-        return (!users.contains(&layer)).then(|| format!("{layer} does not use {first}"));
+        let given = path.join("::");
+        let mut entries = CRATES.iter().filter(|(entry, _)| leads_to(entry, &given));
+        return (!entries.any(|(_, users)| users.contains(&layer)))
+            .then(|| format!("{layer} does not use it"));
     }
     let Some(target) = path.get(1) else {
         return Some("the root hides which layer is meant".to_owned());
@@ -80,8 +85,7 @@ fn objection(file: &str, layer: &str, path: &[String], interfaces: &BTreeSet<Str
     }
     let (_, allowed) = ARROWS.iter().find(|(name, _)| *name == layer)?;
     let inside = path[1..].join("::");
-    let reaches = |arrow: &str| inside == arrow || inside.starts_with(&format!("{arrow}::"));
-    if !allowed.iter().any(|arrow| reaches(arrow)) {
+    if !allowed.iter().any(|arrow| leads_to(arrow, &inside)) {
         return Some(format!("{layer} may not know {target} (it may know: error {})", allowed.join(" ")));
     }
     let leaf = path.last()?;
@@ -89,6 +93,11 @@ fn objection(file: &str, layer: &str, path: &[String], interfaces: &BTreeSet<Str
         return Some("model fulfils the traits of numerics and calls none of its algorithms".to_owned());
     }
     None
+}
+
+/// Whether a path is this arrow's end or something inside of it.
+fn leads_to(arrow: &str, path: &str) -> bool {
+    path.strip_prefix(arrow).is_some_and(|rest| rest.is_empty() || rest.starts_with("::"))
 }
 
 /// The layer of a file, from its path.
@@ -286,6 +295,8 @@ mod tests {
             ("src/chart/axes.rs", "use web_sys;"),
             ("src/figures/job.rs", "use crate::numerics::ode::Field;"),
             ("src/figures/job.rs", "use plotters::style::Color;"),
+            ("src/figures/job.rs", "use nalgebra::{Complex, Matrix3};"),
+            ("src/study/orbit.rs", "type Number = nalgebra::Complex<f64>;"),
             ("src/figures/job.rs", "fn f(x: f64) { let y = x as f64; crate::web::show(y); }"),
             ("src/error.rs", "use crate::model::parameters::Parameters;"),
             ("src/misc/help.rs", ""),
@@ -318,6 +329,7 @@ mod tests {
             ("src/model/parameters.rs", "use crate::error::ModelError; use super::parameters;"),
             ("src/study/orbit.rs", "use crate::{model::equations, numerics::newton, theory};"),
             ("src/figures/job.rs", "use crate::study::orbit; use crate::model::parameters::Parameters;"),
+            ("src/figures/job.rs", "type Number = nalgebra::Complex<f64>;"),
             ("src/chart/axes.rs", "use plotters::prelude::DrawingBackend; use crate::error::ChartError;"),
             (
                 "src/web/draw.rs",

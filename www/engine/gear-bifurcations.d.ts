@@ -98,24 +98,24 @@ export type ParameterInfo = NumberParameterInfo | RegimeInfo;
 /** A real gear pair, SI units; case matters. */
 export interface PhysicalPair {
   /** Mass of the pinion's body, kg. */
-  M_p?: number;
+  M_p: number;
   /** Mass of the gear's body, kg. */
-  M_g?: number;
+  M_g: number;
   /** Moment of inertia of the pinion, kg m^2. */
-  I_p?: number;
+  I_p: number;
   /** Moment of inertia of the gear, kg m^2. */
-  I_g?: number;
+  I_g: number;
   /** Base radius of the pinion, m. */
-  r_p?: number;
+  r_p: number;
   /** Base radius of the gear, m. */
-  r_g?: number;
+  r_g: number;
   /** Mean mesh stiffness, N/m. */
-  K?: number;
+  K: number;
   /** Amplitude of the mesh stiffness, N/m. */
   K_amplitude?: number;
   /** Stiffness of the supports, N/m. */
-  K_p?: number;
-  K_g?: number;
+  K_p: number;
+  K_g: number;
   /** Cubic stiffness of the supports, N/m^3. */
   K_p3?: number;
   K_g3?: number;
@@ -124,7 +124,7 @@ export interface PhysicalPair {
   C_p?: number;
   C_g?: number;
   /** Half the backlash, m. */
-  b?: number;
+  b: number;
   /** Amplitude of the static transmission error, m. */
   E?: number;
   /** Mean torque on the pinion, N m. */
@@ -138,11 +138,10 @@ export interface PhysicalPair {
   omega_p?: number;
   omega_g?: number;
   /** Numbers of teeth. */
-  teeth_p?: number;
+  teeth_p: number;
   teeth_g?: number;
   /** Speed of the pinion, revolutions a minute. */
-  rpm_p?: number;
-  regime?: Regime;
+  rpm_p: number;
 }
 
 /** The units of one gear pair: what the dimensionless numbers are to be multiplied with. */
@@ -153,6 +152,14 @@ export interface Scales {
   omega_n: number;
   /** Half the backlash, m. */
   b: number;
+  /** Base radii, m; these six together, or none: without them speeds and torques are not given back. */
+  r_p?: number;
+  r_g?: number;
+  /** Moments of inertia, kg m^2. */
+  I_p?: number;
+  I_g?: number;
+  teeth_p?: number;
+  teeth_g?: number;
 }
 
 /** How far a result can be trusted; those that apply are present. */
@@ -201,8 +208,10 @@ export interface Tongue {
   corrected: Interval;
   /** First order with damping. */
   damped: Interval;
-  /** Converged Hill determinant; null for the combination tongue. */
+  /** Converged Hill determinant; null for the combination tongue and where it was not found. */
   hill: Interval | null;
+  /** Why it was not found. */
+  hillError: string | null;
   /** Least k0 at which the damped tongue is open. */
   threshold: number;
 }
@@ -263,7 +272,7 @@ export interface PeriodicOrbit extends Provenance {
 }
 
 export interface ToleranceOption {
-  /** Tolerance of the integration, 1e-13 to 1e-3, default 1e-10. */
+  /** Tolerance of the integration, 1e-14 to 1e-3, default 1e-10. */
   tolerance?: number;
 }
 
@@ -280,7 +289,7 @@ export interface PoincareOptions extends ToleranceOption {
   state?: State;
   /** Periods that are left out first, 0 to 1000000, default 0. */
   transient?: number;
-  /** Points that are kept, 1 to 1000000, default 500. */
+  /** Points that are kept; with the transient at most 1000000; 1 to 1000000, default 1000. */
   points?: number;
 }
 
@@ -458,7 +467,7 @@ export interface Gear {
   /** The compiled module, to be posted to a worker and given to its `load()`. */
   readonly module: WebAssembly.Module;
   defaults(): ParameterInfo[];
-  fromPhysical(si: PhysicalPair): { params: FullParameters; scales: Scales };
+  fromPhysical(si: PhysicalPair): { params: FullParameters; scales: Scales } & Provenance;
   toPhysical(p: Parameters, scales: Scales): PhysicalAnswer;
   modes(p?: Parameters): Modes;
   tongues(p?: Parameters): Tongues;
@@ -478,9 +487,42 @@ export interface Gear {
   ): { frames: FrameMap[] };
 }
 
-/** The dimensionless parameters in the units of a real gear pair. */
+/** The dimensionless parameters in the units of a real gear pair, named as in {@link PhysicalPair}. */
 export interface PhysicalAnswer {
-  [quantity: string]: number | null;
+  M_p: number;
+  M_g: number;
+  K: number;
+  K_amplitude: number;
+  K_p: number;
+  K_g: number;
+  K_p3: number;
+  K_g3: number;
+  C: number;
+  C_p: number;
+  C_g: number;
+  b: number;
+  E: number;
+  omega_p: number;
+  omega_g: number;
+  /** Teeth meeting in a second, Hz. */
+  mesh_frequency: number;
+  /** Mean force through the teeth and the fluctuations' amplitudes as forces on them, N. */
+  F: number;
+  F_p: number;
+  F_g: number;
+  /** From here on only where the scales hold radii, inertias and teeth. */
+  I_p?: number;
+  I_g?: number;
+  r_p?: number;
+  r_g?: number;
+  teeth_p?: number;
+  teeth_g?: number;
+  rpm_p?: number;
+  rpm_g?: number;
+  T_p?: number;
+  T_g?: number;
+  T_p_amplitude?: number;
+  T_g_amplitude?: number;
 }
 
 /** What a {@link GearError} is about. */

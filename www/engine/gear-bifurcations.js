@@ -30,7 +30,9 @@ export class GearError extends Error {
 
   /** The fields as a plain object: an Error loses them when it is posted or written as JSON. */
   toJSON() {
-    const { code, parameter, given, allowed, message } = this;
+    const { code, parameter, allowed, message } = this;
+    // JSON has no NaN and no Infinity, and would say null.
+    const given = typeof this.given === "number" && !Number.isFinite(this.given) ? String(this.given) : this.given;
     return { code, parameter, given, allowed, message };
   }
 }
@@ -82,8 +84,11 @@ async function compile(source) {
   const tag = Object.prototype.toString.call(source);
   if (tag === "[object WebAssembly.Module]") return /** @type {WebAssembly.Module} */ (source);
   if (tag === "[object Response]") return compileResponse(/** @type {Response} */ (source));
-  if (tag === "[object ArrayBuffer]" || ArrayBuffer.isView(source)) {
-    return WebAssembly.compile(/** @type {BufferSource} */ (source));
+  if (tag === "[object ArrayBuffer]") return WebAssembly.compile(/** @type {ArrayBuffer} */ (source));
+  if (ArrayBuffer.isView(source)) {
+    // Not every engine takes a DataView.
+    const { buffer, byteOffset, byteLength } = source;
+    return WebAssembly.compile(new Uint8Array(/** @type {ArrayBuffer} */ (buffer), byteOffset, byteLength));
   }
   throw new TypeError("load takes nothing, bytes, a Response or a WebAssembly.Module");
 }
@@ -215,8 +220,8 @@ function createGear(module) {
     fromPhysical: (/** @type {unknown} */ si) => call((raw) => raw.fromPhysical(si)),
     toPhysical: (/** @type {unknown} */ p, /** @type {unknown} */ scales) =>
       call((raw) => raw.toPhysical(p, scales)),
-    modes: (/** @type {unknown} */ p, /** @type {unknown} */ options) => call((raw) => raw.modes(p, options)),
-    tongues: (/** @type {unknown} */ p, /** @type {unknown} */ options) =>
+    modes: (/** @type {unknown} */ p, /** @type {unknown} */ options = undefined) => call((raw) => raw.modes(p, options)),
+    tongues: (/** @type {unknown} */ p, /** @type {unknown} */ options = undefined) =>
       call((raw) => raw.tongues(p, options)),
     multipliers: (/** @type {unknown} */ p, /** @type {unknown} */ options) =>
       call((raw) => raw.multipliers(p, options)),

@@ -19,6 +19,7 @@ cargo xtask serve [--port N]            build, then serve dist/ on 127.0.0.1 (80
                   [--prefix /a/b/]      ... under this path, as a host with sub-folders would
                   [--no-build]          ... without building first
 cargo xtask test  [--quick]             all checks and tests; quick: no wasm lints, no documentation, no browser
+                  [--only WORD]         ... only the steps with this word in their name, such as Chromium or Node
 cargo xtask bench                       measure natively, in Node and in Chromium; writes docs/benchmarks.md
 cargo xtask goldens                     draw the figures anew into tests/goldens/
 cargo xtask screens                     pictures of the page into docs/screens/";
@@ -51,13 +52,12 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
             let options = command::Options::read(rest, &["--port", "--prefix"], &["--no-build"])?;
             serve::serve(&options)
         }
-        "test" => check::check(&command::Options::read(rest, &[], &["--quick"])?),
+        "test" => check::check(&command::Options::read(rest, &["--only"], &["--quick"])?),
         "bench" => command::Options::read(rest, &[], &[]).and_then(|_| bench::bench()),
         "goldens" => {
             command::Options::read(rest, &[], &[])?;
-            let test =
-                ["test", "--quiet", "--test", "goldens", "every_figure_is_its_golden", "--", "--nocapture"];
-            command::run(command::cargo(&test).env("GOLDENS", "write"))
+            let test = ["test", "--quiet", "--test", "goldens"];
+            command::run(command::cargo(&test).env("GOLDENS", "renew"))
         }
         "screens" => command::Options::read(rest, &[], &[]).and_then(|_| screens::screens()),
         "help" | "--help" | "-h" => {

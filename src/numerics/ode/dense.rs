@@ -146,6 +146,7 @@ pub(super) fn weighted_sum<const N: usize>(weights: Weights, slopes: &[[f64; N];
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::roots::{derivative, polynomial_value};
 
     /// A step of length -0.5 with slopes that follow no rule at all.
     fn arbitrary() -> DenseStep<2> {
@@ -161,7 +162,7 @@ mod tests {
         let step = arbitrary();
         for index in 0..2 {
             let powers = step.component_coefficients(index);
-            let size: f64 = powers.iter().enumerate().map(|(n, c)| (c * 0.5_f64.powi(n as i32)).abs()).sum();
+            let size: f64 = powers.iter().rev().fold(0.0, |sum, c| 0.5 * sum + c.abs());
             for k in 0..=16 {
                 let since = -0.5 * f64::from(k) / 16.0;
                 let value = powers.iter().rev().fold(0.0, |sum, coefficient| sum * since + coefficient);
@@ -178,8 +179,8 @@ mod tests {
         assert_eq!(step.value(1.5), [0.1, 4.0]);
         let powers = step.component_coefficients(0);
         assert!(powers[1].abs() < 1e-13, "the first stage's slope is sin(0)");
-        let end_slope: f64 =
-            (1..COEFFICIENTS).map(|n| n as f64 * powers[n] * (-0.5_f64).powi(n as i32 - 1)).sum();
+        let slopes = derivative(&powers);
+        let end_slope = polynomial_value(&slopes, -0.5);
         assert!((end_slope - (1.7 * RESULT as f64).sin()).abs() < 1e-12);
     }
 

@@ -354,7 +354,7 @@ mod tests {
             let off = |order: usize| {
                 residual(order, |density, weights| {
                     let weight: f64 = dense.iter().zip(weights).map(|(a, b)| a * b).sum();
-                    weight - part.powi(order as i32) / density
+                    weight - part.powf(order as f64) / density
                 })
             };
             for order in 1..=7 {

@@ -1,7 +1,10 @@
-//! Crossings on a step's own polynomial.
+//! Events on a step's own polynomial: crossings, touches and extrema of a scalar along the step.
+//!
+//! All work on coefficients in powers of the time since the start of the step, whoever made the step: the Taylor
+//! series' are the step itself, the Runge-Kutta pair's come from
+//! [`component_coefficients`](super::dense::DenseStep::component_coefficients).
 
-/// Pieces narrower than this part of the step are not divided further: two roots so close count as a touch.
-const NARROW: f64 = 1e-9;
+use crate::numerics::roots::{self, Root, RootKind, Side, follow_roots, polynomial_value};
 
 /// A change of sign of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,128 +31,111 @@ pub fn first_crossing<const LEN: usize>(
     first
 }
 
-/// Calls `visit` with each change of sign in (0, `length`] in order of time, until it answers true.
+/// Calls `visit` with each change of sign in (0, `length`] (`length` below 0: backwards) in the order met, until
+/// it answers true.
 ///
-/// The polynomial is written in Bernstein form, whose changes of sign bound the number of roots, and halved until
-/// every piece holds none or one: no pair of crossings within the step is missed (G. Farin, Curves and Surfaces
-/// for CAGD, 5th ed., ch. 6, variation diminution).
+/// Signs are taken as they are, to the last bit: who follows a scalar over many steps, where rounding at the
+/// joints can hide a crossing or show it twice, uses a [`Watch`]. A polynomial that is zero at the end to the last
+/// bit crosses there if its continuation does.
 pub fn visit_crossings<const LEN: usize>(
     coefficients: &[f64; LEN],
     length: f64,
     starts_on_root: bool,
     visit: &mut impl FnMut(Crossing) -> bool,
 ) {
-    let mut scaled = [0.0; LEN];
-    let mut power = 1.0;
-    let skipped = usize::from(starts_on_root);
-    for n in skipped..LEN {
-        scaled[n - skipped] = coefficients[n] * power;
-        power *= length;
+    // With the root at 0 divided out, the rest has the same signs ahead, opposite ones backwards.
+    let mut rest = *coefficients;
+    if starts_on_root {
+        rest.rotate_left(1);
+        rest[LEN - 1] = 0.0;
     }
-    let rest: f64 = scaled[1..].iter().map(|value| value.abs()).sum();
-    if scaled[0].abs() > rest {
+    let turned = starts_on_root && length < 0.0;
+    let mut stopped = false;
+    let side = follow_roots(&rest, length, 0.0, None, &mut |root| {
+        let rising = match root.kind {
+            RootKind::Rising => true,
+            RootKind::Falling => false,
+            RootKind::Touch | RootKind::End => return false,
+        };
+        stopped = visit(Crossing { since: root.at, rising: rising != turned });
+        stopped
+    });
+    if stopped || polynomial_value(&rest, length) != 0.0 {
         return;
     }
-    visit_in(&bernstein(&scaled), 0.0, 1.0, &mut |crossing| {
-        visit(Crossing { since: crossing.since * length, ..crossing })
-    });
+    let onwards = polynomial_value(&roots::derivative(&rest), length) * length;
+    if let (Some(before), Some(after)) = (side, Side::of(onwards, 0.0))
+        && before != after
+    {
+        visit(Crossing { since: length, rising: (after == Side::Above) != turned });
+    }
 }
 
 /// Least and greatest value of the polynomial on [0, `length`], interior extrema included.
 pub fn range<const LEN: usize>(coefficients: &[f64; LEN], length: f64) -> (f64, f64) {
-    let value = |at: f64| coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * at + coefficient);
-    let (start, end) = (coefficients[0], value(length));
-    let mut range = (start.min(end), start.max(end));
-    let mut derivative = [0.0; LEN];
-    for n in 1..LEN {
-        derivative[n - 1] = coefficients[n] * n as f64;
-    }
-    visit_crossings(&derivative, length, false, &mut |crossing| {
-        let extremum = value(crossing.since);
-        range = (range.0.min(extremum), range.1.max(extremum));
-        false
-    });
-    range
+    let extrema = roots::extrema(coefficients, length);
+    (extrema.least, extrema.greatest)
 }
 
-/// Bernstein coefficients on [0, 1] of a polynomial given by its powers.
-fn bernstein<const LEN: usize>(powers: &[f64; LEN]) -> [f64; LEN] {
-    let degree = LEN - 1;
-    let mut coefficients = [0.0; LEN];
-    for (i, coefficient) in coefficients.iter_mut().enumerate() {
-        let mut ratio = 1.0;
-        for (k, power) in powers.iter().enumerate().take(i + 1) {
-            *coefficient += ratio * power;
-            ratio *= (i - k) as f64 / (degree - k).max(1) as f64;
-        }
-    }
-    coefficients
+/// Follows a scalar from step to step and remembers on which side of zero it is, so that each crossing and each
+/// touch is told once, joints between steps included, whatever the rounding there.
+///
+/// A scalar within the tolerance of zero is on neither side: the start of a motion on the surface tells nothing,
+/// and an approach still undecided at the end of a step is told in the step that decides it, at its start.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Watch {
+    side: Option<Side>,
+    tolerance: f64,
 }
 
-fn sign_changes(coefficients: &[f64]) -> usize {
-    let mut changes = 0;
-    let mut last = 0.0;
-    for &value in coefficients {
-        if value != 0.0 {
-            if last * value < 0.0 {
-                changes += 1;
+impl Watch {
+    /// Starts without knowing the side.
+    ///
+    /// `tolerance`, in the unit of the scalar, at least 0: above the rounding errors of its values, so that those
+    /// make no events, and below any dip that matters; a dip no deeper counts as a touch.
+    pub fn new(tolerance: f64) -> Self {
+        Self { side: None, tolerance: tolerance.max(0.0) }
+    }
+
+    /// Starts on a known side: after an event at which the motion was stopped, the side it goes to.
+    pub fn from_side(side: Side, tolerance: f64) -> Self {
+        Self { side: Some(side), ..Self::new(tolerance) }
+    }
+
+    /// The side last seen; `None` as long as the scalar has not left the tolerance.
+    pub fn side(&self) -> Option<Side> {
+        self.side
+    }
+
+    /// Calls `visit` with each event of the step in order until it answers true; the watch is then on the side
+    /// that this event leads to.
+    ///
+    /// The coefficients of the scalar are in powers of the time since the start of the step, which lasts `length`
+    /// (below 0: backwards). Kinds are [`RootKind::Rising`], [`RootKind::Falling`] and [`RootKind::Touch`].
+    pub fn visit<const LEN: usize>(
+        &mut self,
+        coefficients: &[f64; LEN],
+        length: f64,
+        visit: &mut impl FnMut(Root) -> bool,
+    ) {
+        self.side = follow_roots(coefficients, length, self.tolerance, self.side, &mut |root| {
+            root.kind != RootKind::End && visit(root)
+        });
+    }
+
+    /// The first crossing of the step; the watch is then on the side it leads to.
+    pub fn first_crossing<const LEN: usize>(
+        &mut self,
+        coefficients: &[f64; LEN],
+        length: f64,
+    ) -> Option<Crossing> {
+        let mut first = None;
+        self.visit(coefficients, length, &mut |root| {
+            if root.kind != RootKind::Touch {
+                first = Some(Crossing { since: root.at, rising: root.kind == RootKind::Rising });
             }
-            last = value;
-        }
+            first.is_some()
+        });
+        first
     }
-    changes
-}
-
-fn value_at<const LEN: usize>(coefficients: &[f64; LEN], part: f64) -> f64 {
-    let mut work = *coefficients;
-    for level in (1..LEN).rev() {
-        for i in 0..level {
-            work[i] += part * (work[i + 1] - work[i]);
-        }
-    }
-    work[0]
-}
-
-/// Answers true once `visit` has.
-fn visit_in<const LEN: usize>(
-    coefficients: &[f64; LEN],
-    low: f64,
-    high: f64,
-    visit: &mut impl FnMut(Crossing) -> bool,
-) -> bool {
-    match sign_changes(coefficients) {
-        0 => false,
-        1 => {
-            let (part, rising) = only_root(coefficients);
-            visit(Crossing { since: low + (high - low) * part, rising })
-        }
-        _ if high - low < NARROW => false,
-        _ => {
-            let (mut left, mut right) = ([0.0; LEN], *coefficients);
-            for level in (0..LEN).rev() {
-                left[LEN - 1 - level] = right[0];
-                for i in 0..level {
-                    right[i] = 0.5 * (right[i] + right[i + 1]);
-                }
-            }
-            let middle = 0.5 * (low + high);
-            visit_in(&left, low, middle, visit) || visit_in(&right, middle, high, visit)
-        }
-    }
-}
-
-/// The one root on [0, 1] of a polynomial whose Bernstein coefficients change sign once, by bisection, and
-/// whether it rises there.
-fn only_root<const LEN: usize>(coefficients: &[f64; LEN]) -> (f64, bool) {
-    let (mut low, mut high) = (0.0, 1.0);
-    let rising = coefficients.iter().rev().find(|value| **value != 0.0).is_some_and(|value| *value > 0.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if (value_at(coefficients, middle) > 0.0) == rising {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    (0.5 * (low + high), rising)
 }

@@ -15,63 +15,78 @@ const SUB_PATH: &str = "/some/where/";
 
 /// Runs the steps, stops at the first that fails, and ends with a line of counts.
 pub fn check(options: &Options) -> Result<(), Failure> {
-    let mut count = Count::default();
-    let outcome = steps(options.flag("--quick"), &mut count);
+    let mut run = Run { count: Count::default(), only: options.value("--only").map(str::to_owned) };
+    let outcome = steps(&mut run, options.flag("--quick"));
     if let Err(failure) = &outcome {
         println!("stopped: {failure}");
         // A step that is no test, such as a lint: its failure is one all the same.
-        count.failed = count.failed.max(1);
+        run.count.failed = run.count.failed.max(1);
     }
-    println!("{count}");
+    println!("{}", run.count);
     outcome.map_err(|_| Failure::Told)
 }
 
-fn steps(quick: bool, count: &mut Count) -> Result<(), Failure> {
-    step("formatting", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
-    step("lints", || {
+fn steps(check: &mut Run, quick: bool) -> Result<(), Failure> {
+    check.step("formatting", |_| run(&mut cargo(&["fmt", "--all", "--check"])))?;
+    check.step("lints", |_| {
         run(&mut cargo(&["clippy", "--quiet", "--workspace", "--all-targets", "--", "-D", "warnings"]))
     })?;
     if !quick {
-        step("lints of the wasm side", || {
+        check.step("lints of the wasm side", |_| {
             tools::ensure_wasm_target()?;
             let target = ["--target", "wasm32-unknown-unknown"];
             run(cargo(&["clippy", "--quiet", "--lib"]).args(target).args(["--", "-D", "warnings"]))
         })?;
     }
-    step("native tests and those in the docs", || {
+    check.step("native tests and those in the docs", |count| {
         counted(&mut cargo(&["test", "--quiet", "--workspace", "--no-fail-fast"]), count::cargo, count)
     })?;
     if !quick {
-        step("documentation", || {
+        check.step("documentation", |_| {
             run(cargo(&["doc", "--quiet", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"))
         })?;
     }
-    step("build, and the size of the wasm", || {
+    check.step("build, and the size of the wasm", |_| {
         build::build(&place::root().join("dist")).map(|built| built.report())
     })?;
-    step("npm packages", tools::ensure_node_packages)?;
-    step("types of the JavaScript", || {
+    check.step("npm packages", |_| tools::ensure_node_packages())?;
+    check.step("types of the JavaScript", |_| {
         run(&mut program("npx", &["--no-install", "tsc", "--checkJs", "--strict", "--project", "."]))
     })?;
-    step("tests in Node", || {
+    check.step("tests in Node", |count| {
         let files = tests_in("tests/node")?;
         let mut node = program("node", &["--test", "--test-reporter=spec"]);
         counted(node.args(&files), count::node, count)
     })?;
     if !quick {
-        step("tests in Chromium", || browser(count))?;
+        check.step("tests in Chromium", browser)?;
     }
     Ok(())
 }
 
-/// Runs one step, saying its name before and its time after.
-fn step(name: &str, work: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
-    println!("== {name}");
-    let start = Instant::now();
-    let outcome = work();
-    let verdict = if outcome.is_ok() { "done" } else { "FAILED" };
-    println!("== {name}: {verdict} in {:.1} s\n", start.elapsed().as_secs_f64());
-    outcome
+/// What has been counted so far, and which steps are wanted.
+struct Run {
+    count: Count,
+    only: Option<String>,
+}
+
+impl Run {
+    /// Runs one step, saying its name before and its time after.
+    fn step(
+        &mut self,
+        name: &str,
+        work: impl FnOnce(&mut Count) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        if self.only.as_ref().is_some_and(|word| !name.contains(word)) {
+            return Ok(());
+        }
+        println!("== {name}");
+        let start = Instant::now();
+        let outcome = work(&mut self.count);
+        let verdict = if outcome.is_ok() { "done" } else { "FAILED" };
+        println!("== {name}: {verdict} in {:.1} s\n", start.elapsed().as_secs_f64());
+        outcome
+    }
 }
 
 /// Runs a command, shows what it prints, and counts the tests in it.
