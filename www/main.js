@@ -1,7 +1,8 @@
 /** The page: the only place that knows all its parts. */
 
 import { themeNamed, wireThemeButton } from "./controls/theme-button.js";
-import { GearError, PRIORITY, startEngine } from "./engine/client.js";
+import { GearError, PRIORITY } from "./engine/client.js";
+import { engine } from "./engine/running.js";
 import { watchPrinting } from "./figure/appearance.js";
 import { GearFigure } from "./figure/gear-figure.js";
 import { paintAll } from "./figure/paint-queue.js";
@@ -9,10 +10,11 @@ import { provide } from "./figure/services.js";
 import { Store } from "./state.js";
 
 const THEME_KEY = "gear-bifurcations.theme";
+/** After this time nothing waits for figures any more, ms. */
+const LONGEST_OPENING = 4000;
 
 const store = new Store({ theme: themeNamed(recall()) });
 showTheme();
-const engine = startEngine();
 
 /** What the figures are given once the engine runs. */
 const services = engine.then((running) => ({
@@ -23,7 +25,6 @@ const services = engine.then((running) => ({
   later: whenCalm,
   painted: countDrawing,
 }));
-// Each figure says itself what failed.
 services.catch(() => {});
 
 const all = document.querySelectorAll("gear-figure").length;
@@ -37,11 +38,17 @@ function countDrawing() {
   if (drawn === 1) performance.mark("first-figure");
   if (drawn === all) {
     performance.mark("all-figures");
-    const calm = waiting;
-    waiting = [];
-    for (const work of calm) idle(work);
+    calmDown();
   }
 }
+
+function calmDown() {
+  const calm = waiting;
+  waiting = [];
+  for (const work of calm) idle(work);
+}
+// A figure that cannot be drawn must not keep the others from their controls.
+setTimeout(calmDown, LONGEST_OPENING);
 
 /**
  * Controls come when the drawings stand: they are not what a reader looks at first.
@@ -49,7 +56,7 @@ function countDrawing() {
  * @param {() => void} work
  */
 function whenCalm(work) {
-  if (drawn < all) waiting.push(work);
+  if (drawn < all && performance.now() < LONGEST_OPENING) waiting.push(work);
   else idle(work);
 }
 

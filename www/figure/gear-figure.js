@@ -231,7 +231,7 @@ export class GearFigure extends HTMLElement {
       return;
     }
     this.#parts.stage.style.setProperty("--aspect", String(this.#info.aspect));
-    this.#furnish(this.#info);
+    this.#furnish(this.#info, provided);
     this.#readAttributes();
     signal.addEventListener("abort", onAppearance(() => this.#repaint()));
     const unsubscribe = store.subscribe((state, before) => {
@@ -241,8 +241,11 @@ export class GearFigure extends HTMLElement {
     signal.addEventListener("abort", unsubscribe);
   }
 
-  /** @param {FigureInfo} info */
-  #furnish(info) {
+  /**
+   * @param {FigureInfo} info
+   * @param {Services} provided
+   */
+  #furnish(info, provided) {
     const { canvas, buttons } = this.#parts;
     if (info.animated) {
       this.#clock = new Clock(() => requestPaint(this));
@@ -264,7 +267,7 @@ export class GearFigure extends HTMLElement {
     const made = createButtons({ clock: this.#clock, turning: this.#turning, reset: () => this.reset() });
     this.#showPlaying = made.showPlaying;
     buttons.replaceChildren(...made.buttons);
-    if (info.animated && !wantsStill()) this.play();
+    if (info.animated && !wantsStill()) provided.later(() => this.play());
     this.#showPlaying();
   }
 
@@ -328,9 +331,11 @@ export class GearFigure extends HTMLElement {
    * @param {boolean} complete
    */
   #show(figure, complete) {
+    const first = this.#figure === null;
     this.#figure = figure;
     if (this.#clock) this.#clock.motion = figure.motion;
-    this.#repaint();
+    // Nobody watches a figure out of sight fill in.
+    if (complete || first || this.inSight) this.#repaint();
     if (!complete) return;
     clearTimeout(this.#notice);
     if (this.#blamed !== null) this.#panel?.complain(this.#blamed, null);
@@ -353,6 +358,8 @@ export class GearFigure extends HTMLElement {
       this.#blamed = fields.parameter;
     }
     this.#say(this.#leftOut.includes(fields.message) ? "" : fields.message, true);
+    // What is wrong must be mendable, drawing or not.
+    this.#services?.later(() => this.#buildPanel());
     this.#tell("gear-error", fields);
   }
 
@@ -374,6 +381,7 @@ export class GearFigure extends HTMLElement {
   /** @param {boolean} inSight */
   #see(inSight) {
     this.inSight = inSight;
+    if (inSight && this.#computation?.busy) this.#repaint();
     if (this.#clock) this.#clock.seen = inSight;
   }
 

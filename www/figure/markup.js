@@ -37,7 +37,7 @@ export function plain(markup) {
   );
 }
 
-const NAME = /\b(Omega|alpha|zeta|lambda|epsilon)(?:_(\w+))?\b|\b([RBCu])_(\w+)\b|\bk0\b|\b[uRtT](?= =)|'|-(?=[\d.])/g;
+const NAME = /\b(Omega|alpha|zeta|lambda|epsilon)(?:_(\w+))?\b|\b([RBCu])_(\w+)\b|\bk0\b|\b[uRtT](?= =)|\b[ab](?=\^)|\^\d+|'|-(?=[\d.])/g;
 /** @type {Readonly<Record<string, string>>} */
 const GREEK = { Omega: "Ω", alpha: "α", zeta: "ζ", lambda: "λ", epsilon: "ε" };
 
@@ -51,6 +51,7 @@ export function sentence(text) {
   const markup = text.replace(NAME, (all, greek, greekIndex, letter, index) => {
     if (all === "'") return "’";
     if (all === "-") return "−";
+    if (all.startsWith("^")) return `^{${all.slice(1)}}`;
     if (all === "k0") return "*k*_{0}";
     const lowered = greekIndex ?? index;
     return `*${GREEK[greek] ?? letter ?? all}*${lowered === undefined ? "" : `_{${lowered}}`}`;

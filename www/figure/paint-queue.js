@@ -5,7 +5,7 @@
  */
 
 /** Time a frame may spend on drawing before the rest waits for the next one, ms. */
-const BUDGET = 10;
+const BUDGET = 24;
 
 /** @type {Set<Painter>} */
 const waiting = new Set();

@@ -1,0 +1,123 @@
+// The way of the numbers: workers that die are replaced, what is overtaken is dropped, what is quick stays quick.
+
+import { control, data, expect, figure, open, settled, test } from "./page.js";
+
+/** @typedef {{__gear: {engine: import("../../www/engine/client.js").Engine}}} Tested */
+
+for (const [manner, words] of /** @type {const} */ ([
+  ["error", "by an error"],
+  ["silence", "without a word"],
+])) {
+  test(`workers that die ${words} are replaced, and the figure says so and completes`, async ({ page }) => {
+    test.slow();
+    await open(page);
+    await data(page, "12a");
+    const { box } = await control(page, "12a", "zeta");
+    await figure(page, "12a").evaluate((element) => {
+      const status = element.shadowRoot?.querySelector(".status");
+      if (!status) return;
+      const words = (/** @type {any} */ (window).words = /** @type {string[]} */ ([]));
+      new MutationObserver(() => words.push(status.textContent ?? "")).observe(status, { childList: true, characterData: true, subtree: true });
+    });
+    await page.evaluate((how) => /** @type {any} */ (window).__gear.engine.pool.kill(how), manner);
+    await box.fill("0.021");
+    await box.press("Enter");
+    const shown = await data(page, "12a");
+    expect(shown.params.zeta).toBe(0.021);
+    expect(await page.evaluate(() => /** @type {any} */ (window).__gear.engine.pool.replaced)).toBeGreaterThan(0);
+    if (manner === "silence") {
+      const said = await page.evaluate(() => /** @type {any} */ (window).words);
+      expect(said.join("\n")).toContain("another has taken over");
+    }
+    // The others answer as well.
+    const other = await control(page, "2", "m");
+    await other.box.fill("3");
+    await other.box.press("Enter");
+    expect((await data(page, "2")).params.m_p).toBe(3);
+  });
+}
+
+test("a worker that dies in the middle of a computation is replaced, and the figure says so", async ({ page }) => {
+  await open(page);
+  await data(page, "12a");
+  const outcome = await page.evaluate(async () => {
+    const { engine } = /** @type {Tested} */ (/** @type {unknown} */ (window)).__gear;
+    let restarted = 0;
+    let killed = false;
+    const figure = await engine.compute("12a", { zeta: 0.0205 }, {
+      restarted: () => (restarted += 1),
+      partial: () => {
+        if (!killed) engine.pool.kill("error");
+        killed = true;
+      },
+    });
+    return { restarted, killed, zeta: figure.params.zeta };
+  });
+  expect(outcome).toEqual({ restarted: 1, killed: true, zeta: 0.0205 });
+});
+
+test("the newest of many wishes wins, and what it overtook is never shown", async ({ page }) => {
+  await open(page);
+  await data(page, "12a");
+  const { box } = await control(page, "12a", "Omega");
+  for (const value of ["3.66", "3.67", "3.68", "3.69", "3.71"]) {
+    await box.fill(value);
+    await box.press("Enter");
+  }
+  expect((await data(page, "12a")).params.Omega).toBe(3.71);
+  await settled(page, "12a");
+  expect((await data(page, "12a")).params.Omega).toBe(3.71);
+});
+
+test("an abandoned computation rejects at once and its late answer is dropped", async ({ page }) => {
+  await open(page);
+  await data(page, "13c");
+  const outcome = await page.evaluate(async () => {
+    const { engine } = /** @type {Tested} */ (/** @type {unknown} */ (window)).__gear;
+    const abort = new AbortController();
+    let shown = 0;
+    // A formula is computed in one step: the cancellation comes too late for the worker, but not for us.
+    const first = engine.compute("3", {}, { signal: abort.signal, partial: () => (shown += 1) }).then(
+      () => "answered",
+      (/** @type {Error} */ { name }) => name,
+    );
+    const before = engine.pool.dropped;
+    abort.abort();
+    const word = await first;
+    await engine.compute("3", { k0: 0.3 });
+    return { word, shown, dropped: engine.pool.dropped - before };
+  });
+  expect(outcome.word).toBe("AbortError");
+  expect(outcome.shown).toBe(0);
+  expect(outcome.dropped).toBeLessThanOrEqual(1);
+});
+
+test("formula figures answer while the step-by-step ones are being computed", async ({ page }) => {
+  await open(page);
+  const order = await page.evaluate(async () => {
+    const { engine } = /** @type {Tested} */ (/** @type {unknown} */ (window)).__gear;
+    /** @type {string[]} */
+    const answered = [];
+    const note = (/** @type {string} */ id) => () => answered.push(id);
+    const heavy = ["12a", "12b"].map((id) => engine.compute(id, { zeta: 0.0201 }).then(note(id)));
+    await engine.compute("9", { k0: 0.4 }).then(note("9"));
+    await Promise.all(heavy);
+    return answered;
+  });
+  expect(order[0]).toBe("9");
+});
+
+test("stroboscopic maps fill in while they are computed", async ({ page }) => {
+  await open(page);
+  const lengths = await page.evaluate(async () => {
+    const { engine } = /** @type {Tested} */ (/** @type {unknown} */ (window)).__gear;
+    const points = (/** @type {import("./page.js").Figure} */ { series }) =>
+      series.reduce((sum, { columns }) => sum + columns.x.length, 0);
+    /** @type {number[]} */
+    const seen = [];
+    const whole = await engine.compute("12a", { zeta: 0.0199 }, { partial: (figure) => seen.push(points(figure)) });
+    return [...seen, points(whole)];
+  });
+  expect(lengths.length).toBeGreaterThan(1);
+  expect(lengths[0]).toBeLessThan(lengths[lengths.length - 1]);
+});

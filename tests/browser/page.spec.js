@@ -1,0 +1,151 @@
+// The page around the figures: complete, quiet, at home, and whole on any screen.
+
+import { IDS, expect, figure, marked, open, test } from "./page.js";
+
+test("every figure has its heading, its caption, its words for the ear and its static drawing", async ({ page }) => {
+  await open(page);
+  const found = await page.evaluate(() =>
+    Promise.all(
+      [...document.querySelectorAll("gear-figure")].map(async (element) => {
+        const image = element.querySelector("img");
+        const canvas = element.shadowRoot?.querySelector("canvas");
+        const aspect = element.shadowRoot?.querySelector(".stage")?.getAttribute("style")?.match(/--aspect: ?([\d.]+)/)?.[1];
+        return {
+          id: element.id,
+          role: canvas?.getAttribute("role"),
+          label: canvas?.getAttribute("aria-label") ?? "",
+          alt: image?.alt ?? "",
+          drawing: await (await fetch(image?.src ?? "")).text(),
+          ratio: Number(image?.getAttribute("width")) / Number(image?.getAttribute("height")),
+          aspect: Number(aspect),
+        };
+      }),
+    ),
+  );
+  expect(found.map(({ id }) => id)).toEqual(IDS.map((id) => `fig-${id}`));
+  for (const { id, role, label, alt, drawing, ratio, aspect } of found) {
+    expect(role, id).toBe("img");
+    expect(label.length, id).toBeGreaterThan(20);
+    expect(alt.length, id).toBeGreaterThan(10);
+    expect(drawing, id).toContain("<svg");
+    // As wide over high as the live one, or the page would jump.
+    expect(Math.abs(ratio / aspect - 1), id).toBeLessThan(0.005);
+  }
+  await expect(page.locator("figure > h3")).toHaveCount(15);
+  await expect(page.locator("figcaption")).toHaveCount(15);
+});
+
+test("the first live figure and all of them are marked", async ({ page }) => {
+  await open(page);
+  const [first, all] = [await marked(page, "first-figure"), await marked(page, "all-figures")];
+  expect(first).toBeLessThan(/** @type {number} */ (all));
+});
+
+test("everything the page loads at first is asked for early", async ({ page }) => {
+  await open(page);
+  const late = await page.evaluate(() => {
+    const early = new Set([...document.querySelectorAll("link[rel=modulepreload]")].map((link) => /** @type {HTMLLinkElement} */ (link).href));
+    return performance
+      .getEntriesByType("resource")
+      .map(({ name }) => name)
+      .filter((name) => name.endsWith(".js") && !early.has(name) && !name.endsWith("/worker.js"));
+  });
+  expect(late).toEqual([]);
+});
+
+test("a figure's address leads to it", async ({ page }) => {
+  await open(page, "./?test#fig-12a");
+  await expect(page.locator("#fig-12a")).toBeInViewport();
+});
+
+test("nothing jumps while the page comes alive", async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.assign(window, { shift: 0 });
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) /** @type {any} */ (window).shift += /** @type {any} */ (entry).value;
+    }).observe({ type: "layout-shift", buffered: true });
+  });
+  await open(page);
+  await expect(page.locator("#fig-1 .panel")).toBeVisible();
+  expect(await page.evaluate(() => /** @type {any} */ (window).shift)).toBeLessThan(0.05);
+});
+
+for (const width of [320, 360, 768]) {
+  test(`no sideways scrolling at ${width} px`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 740 });
+    await open(page);
+    await expect(page.locator("#fig-1 .panel")).toBeVisible();
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+  });
+}
+
+test.describe("by touch", () => {
+  test.use({ hasTouch: true, isMobile: true, viewport: { width: 360, height: 740 } });
+  test("targets are large enough for a finger", async ({ page }) => {
+    await open(page);
+    await expect(page.locator("#fig-3 .panel")).toBeAttached();
+    const small = await page.evaluate(() => {
+      const found = [...document.querySelectorAll("gear-figure")].flatMap((element) =>
+        [...(element.shadowRoot?.querySelectorAll("button, input, select, summary") ?? [])].map((target) => ({
+          what: `${element.id} ${target.className || target.tagName}`,
+          height: target.getBoundingClientRect().height,
+        })),
+      );
+      return found.filter(({ height }) => height < 43.9).map(({ what }) => what);
+    });
+    expect(small).toEqual([]);
+  });
+});
+
+test("panels a, b, c stand side by side where there is room", async ({ page }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await open(page);
+  const boxes = await Promise.all(["11a", "11b", "11c"].map((id) => figure(page, id).boundingBox()));
+  expect(new Set(boxes.map((box) => Math.round(box?.y ?? NaN))).size).toBe(1);
+  await page.setViewportSize({ width: 500, height: 900 });
+  const stacked = await Promise.all(["11a", "11b", "11c"].map((id) => figure(page, id).boundingBox()));
+  expect(new Set(stacked.map((box) => Math.round(box?.x ?? NaN))).size).toBe(1);
+});
+
+test("the theme button goes round, figures follow, and the choice is kept", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "light" });
+  await open(page);
+  const ground = () =>
+    figure(page, "2").evaluate((element) => {
+      const canvas = element.shadowRoot?.querySelector("canvas");
+      return [.../** @type {any} */ (window).readPixels(canvas, [2, 2, 1, 1])].slice(0, 3);
+    });
+  expect(await ground()).toEqual([255, 255, 255]);
+  const button = page.getByRole("button", { name: /Theme/ });
+  await button.click();
+  await expect(button).toHaveText("Theme: light");
+  await button.click();
+  await expect(button).toHaveText("Theme: dark");
+  await expect.poll(ground).toEqual([20, 23, 27]);
+  await page.reload();
+  await expect(button).toHaveText("Theme: dark");
+  await expect.poll(ground).toEqual([20, 23, 27]);
+  const same = await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
+  expect(same).toBe("rgb(20, 23, 27)");
+});
+
+test("without scripts the static drawings and the whole text stand there", async ({ browser, baseURL }) => {
+  const context = await browser.newContext({ javaScriptEnabled: false, baseURL });
+  const page = await context.newPage();
+  await page.goto("./");
+  const picture = page.locator("#fig-2 img");
+  await picture.scrollIntoViewIfNeeded();
+  await expect(picture).toBeVisible();
+  await expect(page.getByRole("heading", { level: 1 })).toBeVisible();
+  await context.close();
+});
+
+test("in words and numbers: a table from the data", async ({ page }) => {
+  await open(page);
+  const home = figure(page, "14b");
+  await home.scrollIntoViewIfNeeded();
+  await home.locator(".data > summary").click();
+  await expect(home.locator(".data table").first()).toBeVisible();
+  expect(await home.locator(".data tr").count()).toBeGreaterThan(50);
+  expect(await home.locator(".data tr").count()).toBeLessThan(500);
+});
