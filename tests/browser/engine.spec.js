@@ -5,10 +5,10 @@ import { control, data, expect, figure, open, settled, test } from "./page.js";
 /** @typedef {{__gear: {engine: import("../../www/engine/client.js").Engine}}} Tested */
 
 for (const [manner, words] of /** @type {const} */ ([
-  ["error", "by an error"],
-  ["silence", "without a word"],
+  ["error", "by an error are replaced"],
+  ["silence", "without a word are missed and replaced, the figure says so"],
 ])) {
-  test(`workers that die ${words} are replaced, and the figure says so and completes`, async ({ page }) => {
+  test(`workers that die ${words}, and the figure completes`, async ({ page }) => {
     test.slow();
     await open(page);
     await data(page, "12a");
@@ -37,7 +37,7 @@ for (const [manner, words] of /** @type {const} */ ([
   });
 }
 
-test("a worker that dies in the middle of a computation is replaced, and the figure says so", async ({ page }) => {
+test("a worker that dies in the middle of a computation is replaced, and the computation runs once more", async ({ page }) => {
   await open(page);
   await data(page, "12a");
   const outcome = await page.evaluate(async () => {
@@ -56,7 +56,7 @@ test("a worker that dies in the middle of a computation is replaced, and the fig
   expect(outcome).toEqual({ restarted: 1, killed: true, zeta: 0.0205 });
 });
 
-test("the newest of many wishes wins, and what it overtook is never shown", async ({ page }) => {
+test("the newest of many wishes wins, and the figure stays with it", async ({ page }) => {
   await open(page);
   await data(page, "12a");
   const { box } = await control(page, "12a", "Omega");

@@ -63,7 +63,7 @@ for (const { id, name, c, other, frequency, half, decay, letter } of [
   });
 }
 
-test("figure 6: with damping the largest growth rate at the middle is that of the averaged equations", async ({ page }) => {
+test("figure 6: the corrected growth rate at the middle is that of the averaged equations", async ({ page }) => {
   await open(page);
   const shown = await data(page, "6");
   // Undamped, per unit of t: k0 sqrt(H_2 H_3), with H_2, H_3 of the averaged equations.

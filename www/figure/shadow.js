@@ -25,7 +25,7 @@ canvas.turns { cursor: grab; }
 canvas.turns.grasped { cursor: grabbing; }
 canvas.plane { cursor: crosshair; }
 canvas.handle { cursor: ew-resize; }
-.bar { display: grid; grid-template-columns: minmax(0, 1fr) auto; align-items: center; column-gap: 1rem; min-block-size: 2.75rem; }
+.bar { display: grid; grid-template-columns: minmax(0, 1fr) auto; align-items: center; column-gap: 1rem; min-block-size: 2.75rem; margin-block-end: 0.5rem; }
 .readout { grid-area: 1 / 1; margin: 0; font-size: 0.875rem; line-height: 1.25; color: var(--quiet, #555);
   font-variant-numeric: tabular-nums; max-block-size: 2.5em; overflow: hidden; }
 .buttons { grid-area: 1 / 2; display: flex; gap: 0.25rem; margin-inline-end: -0.6rem; }
