@@ -241,7 +241,7 @@ fn read_series(part: &Part, frames: &[Frame], points_left: usize) -> Result<Seri
 
 fn read_pieces(part: &Part) -> Result<Vec<usize>, WebError> {
     let numbers = part.numbers(MOST_POINTS)?;
-    if numbers.iter().any(|number| number.fract() != 0.0 || *number < 0.0 || *number >= MOST_POINTS as f64) {
+    if numbers.iter().any(|number| number.fract() != 0.0 || *number < 0.0 || *number > MOST_POINTS as f64) {
         return Err(part.unfit("something else", "indices of points"));
     }
     Ok(numbers.iter().map(|number| *number as usize).collect())
@@ -255,19 +255,15 @@ fn check_series(part: &Part, series: &Series, in_space: bool) -> Result<(), WebE
             part.unfit("columns of other lengths", "columns of one length, z only in a view in space")
         );
     }
-    let rising = series.pieces.windows(2).all(|pair| pair[0] < pair[1]);
-    if !rising || series.pieces.iter().any(|piece| *piece >= points) {
+    let rising = series.pieces.windows(2).all(|pair| pair[0] <= pair[1]);
+    if !rising || series.pieces.iter().any(|piece| *piece > points) {
         return Err(part.unfit("pieces that do not fit", "rising indices of points in pieces"));
     }
-    let least = match series.mark {
-        Mark::Band => 2,
-        Mark::Text => 1,
-        _ => 0,
-    };
-    if points < least {
-        return Err(part.unfit("too few points", "two points for a band, one for a text"));
+    match series.mark {
+        Mark::Band if points != 2 => Err(part.unfit("another number of points", "two points for a band")),
+        Mark::Text if points == 0 => Err(part.unfit("no point", "a point for a text")),
+        _ => Ok(()),
     }
-    Ok(())
 }
 
 /// The parameters' names and values for a figure, and the figure.
