@@ -390,7 +390,9 @@ mod tests {
         let lines: Vec<Vec<[f64; 2]>> =
             (1..6).map(|i| (0..=30).map(|j| [f64::from(j) * 10.0, f64::from(i) * 32.0]).collect()).collect();
         let mut crowd = Crowd::new(AREA, WHITE);
-        lines.iter().for_each(|line| crowd.add_line(line));
+        for line in &lines {
+            crowd.add_line(line);
+        }
         let requests: Vec<Request> = lines
             .iter()
             .map(|line| request("corrected [T7]", Anchor::Curve(vec![line.clone()], line[15])))
