@@ -11,7 +11,7 @@ use gear_bifurcations::numerics::ode::Field;
 use gear_bifurcations::numerics::ode::taylor::{Options, integrate};
 use gear_bifurcations::numerics::periodic::matrix;
 use gear_bifurcations::study::motion::{self, carry};
-use gear_bifurcations::study::multipliers::{image, linear_monodromy, multipliers};
+use gear_bifurcations::study::multipliers::{Budget, image, linear_monodromy, multipliers};
 use gear_bifurcations::study::orbit::{OrbitOptions, periodic_orbit};
 use gear_bifurcations::study::poincare::{PoincareOptions, poincare};
 
@@ -94,7 +94,8 @@ fn liouville_holds_along_linear_and_nonlinear_motions() {
         let found = multipliers(&p, 1e-10).expect("computes");
         assert!(found.error.liouville.is_some_and(|residual| residual < 1e-9), "{p:?} {found:?}");
         let pair = GearPair::new(&p);
-        let (_, derivative) = image(&pair, &state(&mut random, 0.3), 2, 1e-10, 1.0).expect("stays small");
+        let (_, derivative) =
+            image(&pair, &state(&mut random, 0.3), 2, 1e-10, 1.0, &Budget::default()).expect("stays small");
         let (derivative, log_determinant) = (matrix(&derivative), pair.trace() * 2.0 * p.mesh_period());
         let residual = liouville_residual(&derivative, log_determinant);
         // Hadamard's bound of the determinant, times the states' error, is what it can be known to.
@@ -177,7 +178,7 @@ fn the_variational_flow_is_the_derivative_of_the_motion_through_contact_loss() {
     let pair = GearPair::new(&p);
     let orbit = periodic_orbit(&p, &OrbitOptions { period: 2, ..OrbitOptions::default() }).expect("found");
     assert!(orbit.min[2] < 1.0, "the orbit parts the teeth");
-    let (_, derivative) = image(&pair, &orbit.state, 2, 1e-12, 1.0).expect("computes");
+    let (_, derivative) = image(&pair, &orbit.state, 2, 1e-12, 1.0, &Budget::default()).expect("computes");
     for column in 0..6 {
         let end = 2.0 * p.mesh_period();
         let moved = |by: f64| {
@@ -238,8 +239,44 @@ fn incommensurate_loads_are_refused_and_commensurate_ones_have_their_common_peri
     assert_eq!(orbit.period, 3);
     assert!(orbit.error.residual.is_some_and(|residual| residual < 1e-9));
     assert!(multipliers(&third, 1e-10).is_ok());
-    assert!(periodic_orbit(&third, &OrbitOptions::default()).is_err(), "period 1 is no period of it");
+    let shortest = periodic_orbit(&third, &OrbitOptions::default()).expect("found");
+    assert_eq!(shortest.period, 3, "the shortest there can be");
+    assert!(periodic_orbit(&third, &OrbitOptions { period: 2, ..OrbitOptions::default() }).is_err());
     assert!(multipliers(&loaded(1.3 / 2.0_f64.sqrt()), 1e-10).is_err());
     let state = motion::default_state(&third);
     assert!(state.iter().all(|value| value.is_finite()));
+}
+
+#[test]
+fn corners_of_the_ranges_are_answered_or_refused_within_the_budget() {
+    // Stiff supports, slow meshing, fluctuations of long common period: each took minutes without a budget.
+    let slow = |given: &[(&str, f64)], regime| Parameters { regime, ..numbers(given) };
+    let corners = [
+        Parameters {
+            load: -1e3,
+            load_g: -1e3,
+            error: 1e3,
+            omega_p: 1e-4,
+            omega_g: 100.0,
+            ..slow(&[("m", 1e6), ("k_p", 1e-3), ("zeta", 0.0), ("Omega", 0.01)], Regime::Backlash)
+        },
+        Parameters {
+            load: -1e3,
+            load_g: 1e3,
+            ..slow(
+                &[("m_p", 1e6), ("m_g", 1e-3), ("k_g", 1e-3), ("alpha", 1e3), ("zeta", 2.0)],
+                Regime::Contact,
+            )
+        },
+        Parameters { load_g: 5.0, omega_g: 1.6, ..slow(&[("Omega", 7.0)], Regime::Backlash) },
+        Parameters { load: 1.0, ..slow(&[("m", 1e-3), ("k", 1e6), ("Omega", 0.01)], Regime::Contact) },
+    ];
+    for p in &corners {
+        if let Ok(found) = multipliers(p, 1e-10) {
+            assert!(found.re.iter().chain(&found.im).all(|value| value.is_finite()));
+        }
+        if let Ok(orbit) = periodic_orbit(p, &OrbitOptions::default()) {
+            assert!(orbit.state.iter().chain(&orbit.max).all(|value| value.is_finite()));
+        }
+    }
 }

@@ -108,6 +108,8 @@ pub struct Reached {
     pub state: [f64; 6],
     /// Time of escape, if it escaped.
     pub escaped: Option<f64>,
+    /// Steps taken.
+    pub steps: usize,
 }
 
 /// Follows a motion from `state` at `start` to `end`, showing each step (its polynomial, valid on its length, and
@@ -134,12 +136,25 @@ pub fn follow<const LEN: usize>(
             step.length = since;
             visit(&step, contact);
             let time = step.end();
-            return Ok(Reached { time, state: step.value(since), escaped: Some(time) });
+            return Ok(Reached {
+                time,
+                state: step.value(since),
+                escaped: Some(time),
+                steps: propagation.taken(),
+            });
         }
         visit(&step, contact);
     }
-    Ok(Reached { time: propagation.time(), state: *propagation.state(), escaped: None })
+    Ok(Reached {
+        time: propagation.time(),
+        state: *propagation.state(),
+        escaped: None,
+        steps: propagation.taken(),
+    })
 }
+
+/// Most steps of one [`carry`], which mostly goes over one period: some tenths of a second.
+const CARRY_STEPS: usize = 400_000;
 
 /// [`follow`] at the order that suits the tolerance, where the steps themselves are not asked for.
 ///
@@ -152,7 +167,7 @@ pub fn carry(
     end: f64,
     tolerance: f64,
 ) -> Result<Reached, NumericsError> {
-    let options = Options { tolerance: step_tolerance(tolerance), ..Options::default() };
+    let options = Options { tolerance: step_tolerance(tolerance), steps: CARRY_STEPS, ..Options::default() };
     if tolerance < HIGH_ORDER_BELOW {
         follow::<ORDER_24>(pair, start, state, end, options, |_, _| ())
     } else {

@@ -1,5 +1,7 @@
 //! Floquet multipliers: about the unloaded state, or about the periodic response of a loaded pair.
 
+use std::cell::Cell;
+
 use super::ErrorEstimate;
 use super::motion::{self, HIGH_ORDER_BELOW, ORDER_16, ORDER_24};
 use super::orbit::{self, OrbitOptions};
@@ -85,13 +87,16 @@ pub fn trivial_state(p: &Parameters) -> [f64; 6] {
     }
 }
 
+/// Most steps over half a period: stiff and slow corners of the ranges need more, and are refused.
+const LINEAR_STEPS: usize = 400_000;
+
 /// The monodromy over one mesh period of the linear problem in its symmetric coordinates, from half a period.
 ///
 /// # Errors
 /// [`NumericsError`] where the integration fails.
 pub fn linear_monodromy(p: &Parameters, tolerance: f64, step_factor: f64) -> Result<Rows, NumericsError> {
     let pair = LinearPair::new(p);
-    let options = Options { tolerance: motion::step_tolerance(tolerance), step_factor, ..Options::default() };
+    let options = Options { tolerance: motion::step_tolerance(tolerance), step_factor, steps: LINEAR_STEPS };
     let half_period = 0.5 * p.mesh_period();
     let half = taylor::integrate::<_, { linear::SIZE }, ORDER_24>(
         &pair,
@@ -103,23 +108,51 @@ pub fn linear_monodromy(p: &Parameters, tolerance: f64, step_factor: f64) -> Res
     Ok(pair.monodromy_from_half(&linear::rows(&half)))
 }
 
+/// Steps that a search may take in all its integrations: some seconds at most, a hundred times what ordinary
+/// parameters need. Stiff and slow corners of the ranges would otherwise take minutes.
+#[derive(Clone, Debug)]
+pub struct Budget {
+    left: Cell<usize>,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self { left: Cell::new(200_000) }
+    }
+}
+
+impl Budget {
+    /// Steps that are left.
+    pub fn left(&self) -> usize {
+        self.left.get()
+    }
+
+    /// Takes off steps that were taken.
+    pub fn spend(&self, steps: usize) {
+        self.left.set(self.left.get().saturating_sub(steps));
+    }
+}
+
 /// The state after `periods` mesh periods and its derivative by the state at t = 0, along the full nonlinear motion.
 ///
 /// # Errors
-/// [`NumericsError::Escaped`] where the motion escapes, or as the integration fails.
+/// [`NumericsError::Escaped`] where the motion escapes, [`NumericsError::TooManySteps`] where the budget is spent, or
+/// as the integration fails.
 pub fn image(
     pair: &GearPair,
     state: &[f64; 6],
     periods: usize,
     tolerance: f64,
     step_factor: f64,
+    budget: &Budget,
 ) -> Result<Image, NumericsError> {
     let end = periods as f64 * pair.parameters.mesh_period();
-    let options = Options { tolerance: motion::step_tolerance(tolerance), step_factor, ..Options::default() };
+    let tolerance_of_step = motion::step_tolerance(tolerance);
+    let options = Options { tolerance: tolerance_of_step, step_factor, steps: budget.left() };
     if tolerance < HIGH_ORDER_BELOW {
-        image_by::<ORDER_24>(pair, state, end, options)
+        image_by::<ORDER_24>(pair, state, end, options, budget)
     } else {
-        image_by::<ORDER_16>(pair, state, end, options)
+        image_by::<ORDER_16>(pair, state, end, options, budget)
     }
 }
 
@@ -128,6 +161,7 @@ fn image_by<const LEN: usize>(
     state: &[f64; 6],
     end: f64,
     options: Options,
+    budget: &Budget,
 ) -> Result<Image, NumericsError> {
     let field = Variational { pair: *pair };
     let mut propagation =
@@ -135,6 +169,7 @@ fn image_by<const LEN: usize>(
     let [pinion, gear] = pair.escape_bounds();
     while propagation.time() < end {
         propagation.step(end)?;
+        budget.spend(1);
         let now = propagation.state();
         if now[0].abs() > pinion || now[1].abs() > gear {
             return Err(NumericsError::Escaped { time: propagation.time() });
@@ -158,7 +193,12 @@ pub fn multipliers(p: &Parameters, tolerance: f64) -> Result<Multipliers, StudyE
         return about_trivial_state(p, tolerance);
     }
     let periods = common_period(p)?;
-    let orbit = orbit::response(p, periods, &OrbitOptions { period: periods, guess: None, tolerance })?;
+    let orbit = orbit::response(
+        p,
+        periods,
+        &OrbitOptions { period: periods, guess: None, tolerance },
+        &Budget::default(),
+    )?;
     Ok(Multipliers {
         re: orbit.re,
         im: orbit.im,

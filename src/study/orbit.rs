@@ -2,7 +2,7 @@
 
 use super::ErrorEstimate;
 use super::motion::{self, ORDER_16, ORDER_24};
-use super::multipliers::{common_period, image, is_stable, trivial_state, unloaded};
+use super::multipliers::{Budget, common_period, image, is_stable, trivial_state, unloaded};
 use super::poincare::Strobe;
 use super::time_response::largest_difference;
 use crate::error::{NumericsError, StudyError};
@@ -21,7 +21,7 @@ pub const LONGEST: usize = 64;
 /// What to look for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrbitOptions {
-    /// Period in mesh periods, 1 to [`LONGEST`].
+    /// Period in mesh periods, 1 to [`LONGEST`]; 1 stands for the common period of mesh and load.
     pub period: usize,
     /// A state near the orbit at t = 0; none: the steady response for period 1, \[T7\] for period 2, the end of a
     /// long motion for longer ones.
@@ -71,6 +71,9 @@ const SAME: f64 = 1e-7;
 pub fn periodic_orbit(p: &Parameters, options: &OrbitOptions) -> Result<PeriodicOrbit, StudyError> {
     motion::check_tolerance(options.tolerance)?;
     let common = common_period(p)?;
+    // The shortest period there can be is what "period 1" means under a load of longer period than the mesh.
+    let options =
+        &OrbitOptions { period: if options.period == 1 { common } else { options.period }, ..*options };
     if options.period == 0 || options.period > LONGEST || !options.period.is_multiple_of(common) {
         let allowed = if common == 1 {
             format!("a whole number from 1 to {LONGEST}")
@@ -79,22 +82,28 @@ pub fn periodic_orbit(p: &Parameters, options: &OrbitOptions) -> Result<Periodic
         };
         return Err(StudyError::Option { option: "period", given: options.period.to_string(), allowed });
     }
+    let budget = Budget::default();
     if let Some(guess) = options.guess {
         motion::check_state(&GearPair::new(p), &guess)?;
-        let state = solve(p, guess, options)?;
+        let state = solve(p, guess, options, &budget)?;
         return describe(p, state, options);
     }
     match options.period {
-        period if period == common => response(p, period, options),
-        2 => period_two(p, options),
-        _ => from_long_motion(p, options),
+        period if period == common => response(p, period, options, &budget),
+        2 => period_two(p, options, &budget),
+        _ => from_long_motion(p, options, &budget),
     }
 }
 
-fn solve(p: &Parameters, guess: [f64; 6], options: &OrbitOptions) -> Result<newton::Solution, NumericsError> {
+fn solve(
+    p: &Parameters,
+    guess: [f64; 6],
+    options: &OrbitOptions,
+    budget: &Budget,
+) -> Result<newton::Solution, NumericsError> {
     let pair = GearPair::new(p);
     let bounds = newton::Options { tolerance: options.tolerance, ..newton::Options::default() };
-    fixed_point(guess, bounds, |state| image(&pair, state, options.period, options.tolerance, 1.0))
+    fixed_point(guess, bounds, |state| image(&pair, state, options.period, options.tolerance, 1.0, budget))
 }
 
 /// The steady response: the T-periodic orbit that grows from the trivial state with the load.
@@ -104,28 +113,37 @@ fn solve(p: &Parameters, guess: [f64; 6], options: &OrbitOptions) -> Result<newt
 ///
 /// # Errors
 /// As [`periodic_orbit`].
-pub fn response(p: &Parameters, period: usize, options: &OrbitOptions) -> Result<PeriodicOrbit, StudyError> {
+pub fn response(
+    p: &Parameters,
+    period: usize,
+    options: &OrbitOptions,
+    budget: &Budget,
+) -> Result<PeriodicOrbit, StudyError> {
     let options = &OrbitOptions { period, ..*options };
     if unloaded(p) {
         let still = newton::Solution { point: trivial_state(p), residual: 0.0, iterations: 0 };
         return describe(p, still, options);
     }
     if p.regime != Regime::Backlash {
-        return describe(p, grown_with_load(p, options)?, options);
+        return describe(p, grown_with_load(p, options, budget)?, options);
     }
     let contact = Parameters { regime: Regime::Contact, ..*p };
-    if let Ok(solution) = grown_with_load(&contact, options)
-        && let Ok(parted) = solve(p, solution.point, options)
+    if let Ok(solution) = grown_with_load(&contact, options, budget)
+        && let Ok(parted) = solve(p, solution.point, options, budget)
     {
         return describe(p, parted, options);
     }
-    from_long_motion(p, options)
+    from_long_motion(p, options, budget)
 }
 
 /// Smallest share of the load by which the response is carried on before the search is given up.
 const LEAST_SHARE: f64 = 1.0 / 4096.0;
 
-fn grown_with_load(p: &Parameters, options: &OrbitOptions) -> Result<newton::Solution, NumericsError> {
+fn grown_with_load(
+    p: &Parameters,
+    options: &OrbitOptions,
+    budget: &Budget,
+) -> Result<newton::Solution, NumericsError> {
     let loaded = |share: f64| Parameters {
         load: share * p.load,
         load_p: share * p.load_p,
@@ -146,13 +164,14 @@ fn grown_with_load(p: &Parameters, options: &OrbitOptions) -> Result<newton::Sol
             }
             None => at.point,
         };
-        let found = solve(&loaded(next), guess, options);
+        let found = solve(&loaded(next), guess, options, budget);
         match found {
             Ok(solution) if near(&solution.point, &guess, &at.point) => {
                 before = Some((share, at.point));
                 (at, share) = (solution, next);
                 step *= 2.0;
             }
+            Err(error @ NumericsError::TooManySteps { .. }) => return Err(error),
             Err(error) if step <= LEAST_SHARE => return Err(error),
             Ok(solution) if step <= LEAST_SHARE => {
                 return Err(NumericsError::NoConvergence {
@@ -177,12 +196,13 @@ fn near(solution: &[f64; 6], guess: &[f64; 6], last: &[f64; 6]) -> bool {
 /// Factors by which the first-order amplitude of \[T7\] is tried; the true one is smaller where k0 is not small.
 const AMPLITUDES: [f64; 8] = [1.0, 0.8, 0.6, 0.45, 0.3, 0.2, 0.1, 1.3];
 
-fn period_two(p: &Parameters, options: &OrbitOptions) -> Result<PeriodicOrbit, StudyError> {
+fn period_two(p: &Parameters, options: &OrbitOptions, budget: &Budget) -> Result<PeriodicOrbit, StudyError> {
     let mut failure = None;
     let mut unstable = None;
     for guess in period_two_guesses(p) {
-        let solution = match solve(p, guess, options) {
+        let solution = match solve(p, guess, options, budget) {
             Ok(solution) => solution,
+            Err(error @ NumericsError::TooManySteps { .. }) => return Err(error.into()),
             Err(error) => {
                 failure = Some(error);
                 continue;
@@ -191,18 +211,18 @@ fn period_two(p: &Parameters, options: &OrbitOptions) -> Result<PeriodicOrbit, S
         let orbit = describe(p, solution, options)?;
         if orbit.period == 2 {
             if orbit.stable {
-                return upper_half(p, orbit, options);
+                return upper_half(p, orbit, options, budget);
             }
             unstable.get_or_insert(orbit);
         }
     }
-    if let Ok(orbit) = from_long_motion(p, options)
+    if let Ok(orbit) = from_long_motion(p, options, budget)
         && orbit.period == 2
     {
-        return upper_half(p, orbit, options);
+        return upper_half(p, orbit, options, budget);
     }
     match unstable {
-        Some(orbit) => upper_half(p, orbit, options),
+        Some(orbit) => upper_half(p, orbit, options, budget),
         None => Err(failure
             .unwrap_or(NumericsError::NoConvergence {
                 iterations: 0,
@@ -218,11 +238,12 @@ fn upper_half(
     p: &Parameters,
     orbit: PeriodicOrbit,
     options: &OrbitOptions,
+    budget: &Budget,
 ) -> Result<PeriodicOrbit, StudyError> {
     let mut strobe = Strobe::new(p, orbit.state, options.tolerance)?;
     match strobe.next()? {
         Some(other) if other[0] > orbit.state[0] => {
-            let solution = solve(p, other, options)?;
+            let solution = solve(p, other, options, budget)?;
             describe(p, solution, options)
         }
         _ => Ok(orbit),
@@ -254,15 +275,22 @@ fn period_two_guesses(p: &Parameters) -> Vec<[f64; 6]> {
 /// Periods after which a motion is taken to have settled near its attractor.
 const SETTLING: usize = 600;
 
-fn from_long_motion(p: &Parameters, options: &OrbitOptions) -> Result<PeriodicOrbit, StudyError> {
+fn from_long_motion(
+    p: &Parameters,
+    options: &OrbitOptions,
+    budget: &Budget,
+) -> Result<PeriodicOrbit, StudyError> {
     let mut strobe = Strobe::new(p, motion::default_state(p), options.tolerance.max(1e-10))?;
     for _ in 0..SETTLING {
+        if strobe.steps() > budget.left() {
+            return Err(NumericsError::TooManySteps { time: strobe.time(), steps: strobe.steps() }.into());
+        }
         if strobe.next()?.is_none() {
             let time = strobe.escaped().unwrap_or(f64::INFINITY);
             return Err(NumericsError::Escaped { time }.into());
         }
     }
-    describe(p, solve(p, strobe.state(), options)?, options)
+    describe(p, solve(p, strobe.state(), options, budget)?, options)
 }
 
 /// True period, multipliers, extrema and errors of a solution.
@@ -274,8 +302,8 @@ fn describe(
     let pair = GearPair::new(p);
     let state = solution.point;
     let period = true_period(p, &state, options)?;
-    let (_, coarse) = image(&pair, &state, period, options.tolerance, 1.0)?;
-    let (_, derivative) = image(&pair, &state, period, options.tolerance, 0.5)?;
+    let (_, coarse) = image(&pair, &state, period, options.tolerance, 1.0, &Budget::default())?;
+    let (_, derivative) = image(&pair, &state, period, options.tolerance, 0.5, &Budget::default())?;
     let monodromy = matrix(&derivative);
     let spectrum = floquet::spectrum(&monodromy)?;
     let step = spectrum.distance(&floquet::spectrum(&matrix(&coarse))?);

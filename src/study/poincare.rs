@@ -15,6 +15,7 @@ pub struct Strobe {
     periods: u64,
     tolerance: f64,
     escaped: Option<f64>,
+    steps: usize,
 }
 
 impl Strobe {
@@ -28,7 +29,7 @@ impl Strobe {
         super::multipliers::common_period(p)?;
         motion::check_tolerance(tolerance)?;
         motion::check_state(&pair, &state)?;
-        Ok(Self { pair, state, periods: 0, tolerance, escaped: None })
+        Ok(Self { pair, state, periods: 0, tolerance, escaped: None, steps: 0 })
     }
 
     /// The state one period later; none once the motion has escaped.
@@ -44,6 +45,7 @@ impl Strobe {
         let (start, end) = (self.periods as f64 * period, (self.periods + 1) as f64 * period);
         let reached = motion::carry(&self.pair, start, self.state, end, self.tolerance)?;
         self.state = reached.state;
+        self.steps += reached.steps;
         self.periods += 1;
         self.escaped = reached.escaped;
         Ok(if self.escaped.is_some() { None } else { Some(self.state) })
@@ -57,6 +59,16 @@ impl Strobe {
     /// Present state: at the end of the last period, or where it escaped.
     pub fn state(&self) -> [f64; 6] {
         self.state
+    }
+
+    /// Integration steps taken so far.
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// Time at the end of the last period.
+    pub fn time(&self) -> f64 {
+        self.periods as f64 * self.pair.parameters.mesh_period()
     }
 
     /// Periods completed.

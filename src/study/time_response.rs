@@ -11,6 +11,9 @@ use crate::numerics::ode::taylor::{Options, Step};
 /// Greatest number of rows of an answer.
 pub const MOST_ROWS: f64 = 1e6;
 
+/// Most integration steps of an answer: some seconds. Stiff and slow corners of the ranges need more, and are refused.
+const MOST_STEPS: usize = 2_000_000;
+
 /// What to compute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeResponseOptions {
@@ -85,7 +88,8 @@ fn sampled<const LEN: usize>(
 ) -> Result<TimeResponse, StudyError> {
     let spacing = pair.parameters.mesh_period() / options.samples_per_period as f64;
     let end = options.periods * pair.parameters.mesh_period();
-    let stepping = Options { tolerance: motion::step_tolerance(options.tolerance), ..Options::default() };
+    let stepping =
+        Options { tolerance: motion::step_tolerance(options.tolerance), step_factor: 1.0, steps: MOST_STEPS };
     let mut t = vec![0.0];
     let mut states = vec![options.state];
     let mut contact_loss = Vec::new();
@@ -109,7 +113,7 @@ fn sampled<const LEN: usize>(
         t.push(time);
         states.push(reached.state);
     }
-    let halved = Options { step_factor: 0.5, ..stepping };
+    let halved = Options { step_factor: 0.5, steps: 3 * MOST_STEPS, ..stepping };
     let check = motion::follow::<LEN>(pair, 0.0, options.state, reached.time, halved, |_, _| ())?;
     let change = largest_difference(&reached.state, &check.state);
     Ok(TimeResponse {

@@ -92,7 +92,7 @@ mod tests {
         }
         // z^4 - 1, whose companion matrix turns in circles under QR.
         assert_eq!(real_roots(&[-1.0, 0.0, 0.0, 0.0, 1.0]), [-1.0, 1.0]);
-        assert_eq!(real_roots(&[1.0, 0.0, 1.0]), []);
+        assert!(real_roots(&[1.0, 0.0, 1.0]).is_empty());
         assert_eq!(real_roots(&[2.0]), []);
     }
 }
