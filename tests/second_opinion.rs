@@ -3,13 +3,17 @@
 
 mod common;
 
-use common::{floats, numbers, parameters, reference};
+use common::{Generator, floats, numbers, parameters, reference};
 use gear_bifurcations::model::equations::{Contact, GearPair, U};
 use gear_bifurcations::model::parameters::{Parameters, Regime};
+use gear_bifurcations::numerics::floquet;
 use gear_bifurcations::numerics::ode::Field;
 use gear_bifurcations::numerics::ode::event::first_crossing;
 use gear_bifurcations::numerics::ode::runge_kutta::{RungeKutta, RungeKuttaOptions, integrate};
 use gear_bifurcations::numerics::ode::taylor::{self, Propagation, TaylorField};
+use gear_bifurcations::numerics::periodic::matrix;
+use gear_bifurcations::study::multipliers::multipliers;
+use gear_bifurcations::study::time_response::{TimeResponseOptions, time_response};
 
 const LEN: usize = 25;
 
@@ -149,5 +153,60 @@ fn reference_orbits_close_and_reference_multipliers_have_their_sum() {
         }
         let sum: f64 = row["multipliers"].as_array().expect("pairs").iter().map(|pair| floats(pair)[0]).sum();
         assert!((trace - sum).abs() < 1e-9, "{row}: {trace} {sum}");
+    }
+}
+
+#[test]
+fn rattling_onto_the_backs_of_the_teeth_agrees() {
+    // Little load and much transmission error: through the whole dead zone and back.
+    let p = Parameters {
+        load: 0.05,
+        error: 2.0,
+        regime: Regime::Backlash,
+        ..numbers(&[("zeta", 0.07), ("alpha", -0.05)])
+    };
+    let pair = GearPair::new(&p);
+    let (start, end) = ([0.0, 0.0, 1.0, 0.0, 0.0, 0.0], 20.0 * p.mesh_period());
+    let (times, other) = by_runge_kutta(&pair, start, end);
+    assert!(distance(&by_taylor(&pair, start, end), &other) < 1e-7);
+    let options =
+        TimeResponseOptions { periods: 20.0, samples_per_period: 2000, ..TimeResponseOptions::new(&p) };
+    let response = time_response(&p, &options).expect("computes");
+    let u: Vec<f64> = response.states.iter().map(|state| state[U]).collect();
+    assert!(u.iter().any(|value| *value < -1.0), "it reaches the backs of the teeth");
+    let sampled = u.windows(2).filter(|pair| pair[0] > 1.0 && pair[1] <= 1.0).count();
+    assert!(sampled > 5 && response.contact_loss.len() >= sampled, "no loss of contact is missed");
+    for loss in &response.contact_loss {
+        assert!(times.iter().any(|time| (time - loss).abs() < 1e-8), "{loss} is a switching of both");
+    }
+}
+
+#[test]
+fn multipliers_agree_with_columns_integrated_over_the_whole_period() {
+    let mut random = Generator(12);
+    for _ in 0..10 {
+        let p = numbers(&[
+            ("m_p", random.within(0.5, 2.0)),
+            ("k_g", random.within(2.0, 8.0)),
+            ("zeta", random.within(0.0, 0.1)),
+            ("zeta_p", random.within(0.0, 0.1)),
+            ("k0", random.within(0.0, 1.0)),
+            ("Omega", random.within(0.5, 6.0)),
+        ]);
+        let linear = GearPair::new(&Parameters { alpha_p: 0.0, alpha_g: 0.0, ..p });
+        let mut rows = [[0.0; 6]; 6];
+        for column in 0..6 {
+            let mut start = [0.0; 6];
+            start[column] = 1.0;
+            let options = RungeKuttaOptions::with_tolerance(1e-13);
+            let end = integrate(&linear, 0.0, start, p.mesh_period(), options).expect("computes");
+            for row in 0..6 {
+                rows[row][column] = end[row];
+            }
+        }
+        let other = floquet::spectrum(&matrix(&rows)).expect("converges");
+        let ours = multipliers(&p, 1e-12).expect("computes");
+        let ours = floquet::Spectrum { re: ours.re, im: ours.im };
+        assert!(ours.distance(&other) < 1e-9, "{p:?}");
     }
 }

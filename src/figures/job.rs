@@ -2,7 +2,7 @@
 
 use super::compose::Composer;
 use super::exponents::ExponentPaths;
-use super::poincare_map::Map;
+use super::poincare_map::{self, Map};
 use super::specification::{Specification, specification};
 use super::tongues::Supports;
 use super::{determinant, eigenvalues, hopf, overall, pitchfork, response, schematic};
@@ -76,7 +76,7 @@ impl Job {
         let parameters = specification.with(given)?;
         let work = match specification.id {
             "8" => Work::Exponents(Box::new(ExponentPaths::new(&parameters)?)),
-            _ if specification.heavy => Work::Map(Box::new(Map::new(&parameters))),
+            id if poincare_map::draws(id) => Work::Map(Box::new(Map::new(&parameters))),
             _ => Work::Waiting,
         };
         Ok(Self { specification, parameters, work })

@@ -106,6 +106,11 @@ struct Attractor {
     points: Vec<[f64; 6]>,
 }
 
+/// Whether the figure of this id is a stroboscopic map.
+pub(super) fn draws(id: &str) -> bool {
+    ["11", "12", "13"].iter().any(|number| id.starts_with(number))
+}
+
 /// A map in the making.
 #[derive(Clone, Debug)]
 pub(super) struct Map {

@@ -41,7 +41,8 @@ pub struct Specification {
     pub animated: bool,
     /// Width over height at which it looks best.
     pub aspect: f64,
-    /// It is computed step by step, with a partial picture at any time (see [`super::Job`]).
+    /// It takes longer than a frame, so that it must not stand in the way of the quick ones; most such figures are
+    /// computed step by step, with a partial picture at any time (see [`super::Job`]).
     pub heavy: bool,
 }
 
@@ -104,7 +105,7 @@ const fn response(
     caption: &'static str,
     preset: &'static [(&'static str, Preset)],
 ) -> Specification {
-    Specification { id, title, caption, parameters: LOADED, preset, aspect: 2.0, ..BLANK }
+    Specification { id, title, caption, parameters: LOADED, preset, aspect: 2.0, heavy: true, ..BLANK }
 }
 
 macro_rules! preset {
@@ -132,6 +133,7 @@ static SPECIFICATIONS: [Specification; 21] = [
         preset: preset!["zeta" = 0.07, "alpha" = 0.0, "F" = 1.5, "Omega" = 1.6; regime = "backlash"],
         animated: true,
         aspect: 1.6,
+        heavy: true,
         ..BLANK
     },
     determinants(
