@@ -96,6 +96,11 @@ export class Engine {
     return this.#gear.draw(figure, undefined, canvas, options).frames;
   }
 
+  /** Lets computations run to their ends: until this is called they stop at their first picture. */
+  complete() {
+    this.#pool.complete();
+  }
+
   /** What tests need to look at and to break. */
   get pool() {
     return this.#pool;

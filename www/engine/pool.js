@@ -60,6 +60,8 @@ export class Pool {
   /** @type {ReturnType<typeof setInterval> | undefined} */
   #pulse;
   #tickets = 0;
+  /** Until every figure has its first picture no computation goes beyond it, so that drawing has the processor. */
+  #firstPictures = true;
   /** Answers that came for computations nobody waits for any more. */
   dropped = 0;
   /** Workers that were replaced. */
@@ -114,6 +116,12 @@ export class Pool {
     }
   }
 
+  /** Every figure has its first picture: from now on computations run to their ends. */
+  complete() {
+    this.#firstPictures = false;
+    for (const seat of this.#seats) this.#say(seat, { type: "pace", firstPictures: false });
+  }
+
   /** @param {boolean} heavy */
   #seatFor(heavy) {
     const [quick, ...others] = this.#seats;
@@ -151,7 +159,9 @@ export class Pool {
     };
     this.#module.then(
       (module) => {
-        if (seat.worker === worker) worker.postMessage({ type: "start", module });
+        if (seat.worker !== worker) return;
+        worker.postMessage({ type: "pace", firstPictures: this.#firstPictures });
+        worker.postMessage({ type: "start", module });
       },
       () => {}, // Whoever asked for the engine is told by its own promise.
     );

@@ -16,8 +16,9 @@
  * @typedef {{type: "run", ticket: number, id: string, given: Given, heavy: boolean, priority: number}} Run
  * @typedef {{type: "cancel", ticket: number}} Cancel
  * @typedef {{type: "ping"}} Ping
+ * @typedef {{type: "pace", firstPictures: boolean}} Pace  Whether to stop every computation at its first picture.
  * @typedef {{type: "fail"}} Fail  Throw an error outside any computation: how tests make a worker die.
- * @typedef {Start | Run | Cancel | Ping | Fail} ToWorker
+ * @typedef {Start | Run | Cancel | Ping | Pace | Fail} ToWorker
  */
 
 /**

@@ -20,6 +20,8 @@ const jobs = new Map();
 /** @type {Promise<Gear> | null} */
 let loading = null;
 let working = false;
+/** The page is opening: a first picture of everything counts more than any picture completed. */
+let firstPictures = false;
 
 const breath = new MessageChannel();
 /** @type {(() => void) | null} */
@@ -47,6 +49,7 @@ function next() {
   /** @type {Job | null} */
   let best = null;
   for (const job of jobs.values()) {
+    if (firstPictures && job.steps !== null) continue;
     if (best === null || comesBefore(job, best)) best = job;
   }
   return best;
@@ -148,6 +151,10 @@ self.addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }
       break;
     case "cancel":
       cancel(data.ticket);
+      break;
+    case "pace":
+      firstPictures = data.firstPictures;
+      void work();
       break;
     case "ping":
       post({ type: "pong" });
