@@ -124,3 +124,12 @@ fn figure_14_b_settles_in_contact_the_same_in_both_regimes() {
         assert!((low - 2.2497).abs() < 1e-4 && (high - 2.8431).abs() < 1e-4, "{low} {high}");
     }
 }
+
+#[test]
+fn where_no_orbit_of_period_two_is_the_shorter_one_is_given_as_what_it_is() {
+    let between_tongues = numbers(&[("Omega", 3.0), ("k0", 0.1)]);
+    let options = OrbitOptions { period: 2, ..OrbitOptions::default() };
+    let orbit = periodic_orbit(&between_tongues, &options).expect("found");
+    assert_eq!((orbit.period, orbit.stable), (1, true));
+    assert!(orbit.state.iter().all(|value| value.abs() < 1e-9), "{orbit:?}");
+}

@@ -196,17 +196,15 @@ fn near(solution: &[f64; 6], guess: &[f64; 6], last: &[f64; 6]) -> bool {
 /// Factors by which the first-order amplitude of \[T7\] is tried; the true one is smaller where k0 is not small.
 const AMPLITUDES: [f64; 8] = [1.0, 0.8, 0.6, 0.45, 0.3, 0.2, 0.1, 1.3];
 
+/// A stable orbit of period 2T where one is found, else an unstable one, else the orbit of period T that every
+/// search comes to.
 fn period_two(p: &Parameters, options: &OrbitOptions, budget: &Budget) -> Result<PeriodicOrbit, StudyError> {
-    let mut failure = None;
     let mut unstable = None;
     for guess in period_two_guesses(p) {
         let solution = match solve(p, guess, options, budget) {
             Ok(solution) => solution,
             Err(error @ NumericsError::TooManySteps { .. }) => return Err(error.into()),
-            Err(error) => {
-                failure = Some(error);
-                continue;
-            }
+            Err(_) => continue,
         };
         let orbit = describe(p, solution, options)?;
         if orbit.period == 2 {
@@ -216,20 +214,11 @@ fn period_two(p: &Parameters, options: &OrbitOptions, budget: &Budget) -> Result
             unstable.get_or_insert(orbit);
         }
     }
-    if let Ok(orbit) = from_long_motion(p, options, budget)
-        && orbit.period == 2
-    {
-        return upper_half(p, orbit, options, budget);
-    }
-    match unstable {
-        Some(orbit) => upper_half(p, orbit, options, budget),
-        None => Err(failure
-            .unwrap_or(NumericsError::NoConvergence {
-                iterations: 0,
-                residual: 1.0,
-                tolerance: options.tolerance,
-            })
-            .into()),
+    let settled = from_long_motion(p, options, budget);
+    match (settled, unstable) {
+        (Ok(orbit), _) if orbit.period == 2 => upper_half(p, orbit, options, budget),
+        (_, Some(orbit)) => upper_half(p, orbit, options, budget),
+        (settled, None) => settled,
     }
 }
 
