@@ -24,6 +24,7 @@ try {
       await page.goto(address);
       await allFigures(page);
       await page.screenshot({ path: `${FOLDER}${name}-${colorScheme}.png` });
+      // To look at, too large to keep: .gitignore leaves it out.
       await page.screenshot({ path: `${FOLDER}${name}-${colorScheme}-whole.png`, fullPage: true });
       console.log(`${name}-${colorScheme}`);
       await context.close();

@@ -98,10 +98,10 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
     let zone = Line::new("dead zone", "the dead zone: the teeth do not touch", Role::DeadZone)
         .label("dead zone", 0.5);
     composer.add(frame, Mark::Band, zone, Points::plane([(0.0, -1.0), (end, 1.0)]));
-    let line = Line::new("backlash", "u with the dead zone of (23)", Role::Exact);
-    composer.curve(frame, line.label("backlash (22)", 0.155), Points::plane(backlash.drawn()));
     let line = Line::new("contact", "u in permanent contact (25), as in the paper", Role::OtherRegime);
     composer.curve(frame, line.label("contact (25)", 0.285), Points::plane(contact.drawn()));
+    let line = Line::new("backlash", "u with the dead zone of (23)", Role::Exact);
+    composer.curve(frame, line.label("backlash (22)", 0.155), Points::plane(backlash.drawn()));
 
     let mut notes = Vec::new();
     let loss = contact.response.contact_loss.first().copied().filter(|time| *time <= end);
