@@ -317,11 +317,9 @@ fn plotters_own_text_needs_no_font() {
     assert!(surface.finish("", "").contains(">00</tspan>"));
 }
 
-/// Writes every demonstration in every theme and two widths to `target/gallery`, to be looked at:
-/// `cargo test --test chart gallery -- --ignored`.
+/// Every demonstration in every theme and two widths; also left in `target/gallery`, to be looked at.
 #[test]
-#[ignore = "writes pictures to look at"]
-fn gallery() {
+fn every_demonstration_is_drawn_in_every_theme_and_width() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("target/gallery");
     std::fs::create_dir_all(&folder).unwrap();
     for (name, drawing, aspect) in all() {
@@ -330,6 +328,10 @@ fn gallery() {
                 let size = (width, pleasant_height(&drawing, aspect, width));
                 let look = Theme::by_name(theme).unwrap();
                 let text = svg(&drawing, name, "", size, &look, &View::default()).unwrap();
+                assert!(
+                    text.starts_with("<svg") && text.trim_end().ends_with("</svg>"),
+                    "{name} {theme} {width}"
+                );
                 std::fs::write(folder.join(format!("{name}-{theme}-{width}.svg")), text).unwrap();
             }
         }
