@@ -51,7 +51,7 @@ const BRANCHES: &[&str] = &["m", "k", "alpha", "zeta", "k0"];
 const LINEAR: &[&str] = &["m", "k", "zeta", "k0"];
 const LINEAR_AT: &[&str] = &["m", "k", "zeta", "k0", "Omega"];
 const MAP: &[&str] = &["m", "k", "alpha", "zeta", "k0", "Omega"];
-const LOADED: &[&str] = &["m", "k", "alpha", "zeta", "k0", "Omega", "F"];
+const LOADED: &[&str] = &["m", "k", "alpha", "zeta", "k0", "Omega", "F", "F_p", "F_g", "E"];
 
 /// The paper's pair of cubic stiffnesses is +0.2 and -0.2: one control holds their magnitude.
 const MAGNITUDE: &[(&str, Preset)] = &[("alpha", Preset::Number(0.2))];
