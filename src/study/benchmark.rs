@@ -2,10 +2,10 @@
 
 use super::motion;
 use super::multipliers::linear_monodromy;
-use crate::error::StudyError;
+use crate::error::{NumericsError, StudyError};
 use crate::model::equations::GearPair;
 use crate::model::parameters::{Parameters, Regime};
-use crate::numerics::ode::Field;
+use crate::numerics::ode::runge_kutta::rk4_fixed;
 
 /// Steps a period of the baseline: a fixed step of the classical Runge-Kutta method.
 const PLAIN_STEPS: usize = 200;
@@ -31,12 +31,12 @@ pub fn run(job: &str, repetitions: usize) -> Result<f64, StudyError> {
         let p = Parameters { k0: 0.5 + 1e-9 * index as f64, ..p };
         sum += match job {
             "monodromy to 1e-10" => linear_monodromy(&p, 1e-10, 1.0)?[0][0],
-            "monodromy by plain RK4" => plain_monodromy(&p),
+            "monodromy by plain RK4" => plain_monodromy(&p)?,
             "100 periods to 1e-10" => {
                 let end = 100.0 * p.mesh_period();
                 motion::carry(&GearPair::new(&p), 0.0, ORBIT, end, 1e-10)?.state[0]
             }
-            "100 periods by plain RK4" => plain_motion(&p, ORBIT, 100)[0],
+            "100 periods by plain RK4" => plain_motion(&p, ORBIT, 100)?[0],
             _ => {
                 return Err(StudyError::Option {
                     option: "job",
@@ -59,30 +59,19 @@ const ORBIT: [f64; 6] = [
     1.359097317974977,
 ];
 
-fn plain_step<F: Field<6>>(field: &F, time: f64, state: &[f64; 6], step: f64) -> [f64; 6] {
-    let along = |slope: &[f64; 6], length: f64| std::array::from_fn(|i| state[i] + length * slope[i]);
-    let first = field.derivative(time, state);
-    let second = field.derivative(time + 0.5 * step, &along(&first, 0.5 * step));
-    let third = field.derivative(time + 0.5 * step, &along(&second, 0.5 * step));
-    let fourth = field.derivative(time + step, &along(&third, step));
-    std::array::from_fn(|i| state[i] + step / 6.0 * (first[i] + 2.0 * (second[i] + third[i]) + fourth[i]))
+fn plain_motion(p: &Parameters, start: [f64; 6], periods: usize) -> Result<[f64; 6], NumericsError> {
+    let end = periods as f64 * p.mesh_period();
+    rk4_fixed(&GearPair::new(p), 0.0, start, end, periods * PLAIN_STEPS)
 }
 
-fn plain_motion(p: &Parameters, start: [f64; 6], periods: usize) -> [f64; 6] {
-    let pair = GearPair::new(p);
-    let step = p.mesh_period() / PLAIN_STEPS as f64;
-    (0..periods * PLAIN_STEPS)
-        .fold(start, |state, index| plain_step(&pair, index as f64 * step, &state, step))
-}
-
-fn plain_monodromy(p: &Parameters) -> f64 {
+fn plain_monodromy(p: &Parameters) -> Result<f64, NumericsError> {
     // The linear problem is the motion without its cubic terms, column by column.
     let linear = Parameters { alpha_p: 0.0, alpha_g: 0.0, ..*p };
     (0..6)
         .map(|column| {
             let mut start = [0.0; 6];
             start[column] = 1.0;
-            plain_motion(&linear, start, 1)[column]
+            Ok(plain_motion(&linear, start, 1)?[column])
         })
         .sum()
 }
