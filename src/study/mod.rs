@@ -1,6 +1,7 @@
 //! Questions asked of the model, answered in plain columns.
 
 pub mod benchmark;
+pub mod grid;
 pub mod motion;
 pub mod multipliers;
 pub mod orbit;
