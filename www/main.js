@@ -1,8 +1,7 @@
 /** The page: the only place that knows all its parts. */
 
 import { themeNamed, wireThemeButton } from "./controls/theme-button.js";
-import { GearError, PRIORITY } from "./engine/client.js";
-import { engine } from "./engine/running.js";
+import { engine, GearError, PRIORITY } from "./engine/running.js";
 import { watchPrinting } from "./figure/appearance.js";
 import { GearFigure } from "./figure/gear-figure.js";
 import { paintAll } from "./figure/paint-queue.js";

@@ -22,6 +22,7 @@
 import { GearError, load } from "../../gear-bifurcations.js";
 import { Pool, poolSize } from "./pool.js";
 import { PRIORITY } from "./protocol.js";
+import { warmDrawing } from "./warming.js";
 
 export { GearError, PRIORITY };
 
@@ -118,5 +119,8 @@ export async function startEngine() {
     loading.then((gear) => gear.module),
     poolSize(navigator.hardwareConcurrency ?? 2),
   );
-  return new Engine(await loading, pool);
+  const gear = await loading;
+  // A task of its own: whoever waits for the engine comes first.
+  setTimeout(() => warmDrawing(gear));
+  return new Engine(gear, pool);
 }

@@ -1,9 +1,11 @@
 /**
- * The page's engine, started as early as can be: this script needs four files, the page thirty, so that workers and
- * module are on their way while the rest still arrives.
+ * The page's engine, started as early as can be: the document loads this script before and beside the page's own, so
+ * that workers and module are on their way while the rest still arrives.
  */
 
-import { startEngine } from "./client.js";
+import { GearError, PRIORITY, startEngine } from "./client.js";
+
+export { GearError, PRIORITY };
 
 export const engine = startEngine();
 // Each figure says itself what failed.

@@ -34,6 +34,8 @@ import { Turning } from "./turning.js";
 const NOTICEABLE = 400;
 /** A canvas narrower than this is not on the page in earnest, CSS pixels. */
 const NARROWEST = 60;
+/** A live drawing that comes within this time needs no static one before it, ms. */
+const STATIC_AFTER = 600;
 /** How far out of sight a figure still counts as seen. */
 const MARGIN = "100px";
 
@@ -189,6 +191,23 @@ export class GearFigure extends HTMLElement {
     const [width, height] = [Number(picture?.getAttribute("width")), Number(picture?.getAttribute("height"))];
     if (width > 0 && height > 0) this.#parts.stage.style.setProperty("--aspect", String(width / height));
     this.#parts.canvas.setAttribute("aria-label", picture?.alt ?? "");
+    if (picture !== null) this.#holdBack(picture);
+  }
+
+  /**
+   * A static drawing still on its way waits a little: reading and laying it out twice takes the time in which the live
+   * one is made.
+   *
+   * @param {HTMLImageElement} picture
+   */
+  #holdBack(picture) {
+    const address = picture.getAttribute("src");
+    if (picture.complete && picture.naturalWidth > 0) return;
+    if (address === null || this.#parts.stage.classList.contains("live")) return;
+    picture.removeAttribute("src");
+    setTimeout(() => {
+      if (!this.#parts.stage.classList.contains("live")) picture.setAttribute("src", address);
+    }, STATIC_AFTER);
   }
 
   #beginAnew() {

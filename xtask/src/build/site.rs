@@ -1,6 +1,7 @@
 //! The static folder: what is in it, and how it is brought up to date.
 
 use super::bindings::Generated;
+use super::link::{self, Modules};
 use super::module;
 use crate::{Failure, place};
 use std::collections::BTreeMap;
@@ -11,6 +12,10 @@ const MODULE: &str = "gear-bifurcations.js";
 
 /// Files of `www/` that are sources of others or serve only the type checker.
 const NOT_SERVED: [&str; 2] = ["engine/gear-bifurcations.js", "engine/bindings.js"];
+
+/// Modules that the document or a worker is started with; each is served joined with all that it imports, but for the
+/// others of them.
+const ENTRIES: [&str; 3] = ["www/engine/running.js", "www/main.js", "www/engine/worker.js"];
 
 /// The files of the static folder, by their path in it.
 #[derive(Default)]
@@ -27,10 +32,20 @@ pub fn gather(root: &Path, generated: &Generated) -> Result<Site, Failure> {
     site.add("package.json", package());
     site.copy(&www.join("engine/gear-bifurcations.d.ts"), "gear-bifurcations.d.ts")?;
     site.copy(&root.join("index.html"), "index.html")?;
+    let mut modules = Modules::new();
     for name in place::files_below(&www)? {
-        if !NOT_SERVED.contains(&name.as_str()) && !name.ends_with(".d.ts") {
-            site.copy(&www.join(&name), &format!("www/{name}"))?;
+        let (from, path) = (www.join(&name), format!("www/{name}"));
+        if NOT_SERVED.contains(&name.as_str()) || name.ends_with(".d.ts") {
+            continue;
         }
+        if Path::new(&name).extension().is_some_and(|ending| ending == "js") {
+            modules.insert(path, std::fs::read_to_string(&from).map_err(Failure::file(&from))?);
+        } else {
+            site.copy(&from, &path)?;
+        }
+    }
+    for entry in ENTRIES {
+        site.add(entry, link::link(&modules, entry, &ENTRIES)?);
     }
     // Each figure as a drawing, for readers without scripts and until the live one is there. A test proves that they
     // are what the library draws today, so that the build need not compile it twice.
