@@ -12,6 +12,7 @@
 //!
 //! Departure from (8) and (9) as printed: the mesh damping acts on the velocity `u'`, as in (11).
 
+use crate::model::coefficients::Coefficients;
 use crate::model::parameters::{Parameters, Regime};
 use crate::numerics::ode::Field;
 use crate::numerics::ode::taylor::{Boundary, Series, TaylorField};
@@ -204,41 +205,6 @@ impl<const LEN: usize> Forcing<LEN> {
     }
 }
 
-/// One more coefficient of each acceleration.
-#[derive(Clone, Copy)]
-pub(crate) struct Recurrence {
-    inverse_mass: [f64; 2],
-    stiffness: [f64; 2],
-    cubic: [f64; 2],
-    damping: [f64; 2],
-    mesh_damping: f64,
-}
-
-impl Recurrence {
-    pub(crate) fn new(p: &Parameters) -> Self {
-        Self {
-            inverse_mass: [1.0 / p.m_p, 1.0 / p.m_g],
-            stiffness: [p.k_p, p.k_g],
-            cubic: [p.alpha_p, p.alpha_g],
-            damping: [2.0 * p.zeta_p, 2.0 * p.zeta_g],
-            mesh_damping: 2.0 * p.zeta,
-        }
-    }
-
-    /// Coefficient of the accelerations from that of the state, of the supports' cubes, of the tooth force `s f`
-    /// and of the load.
-    #[inline]
-    pub(crate) fn accelerations(&self, row: &[f64], cubes: [f64; 2], tooth: f64, load: f64) -> [f64; 3] {
-        let mesh = self.mesh_damping * row[U_DOT] + tooth;
-        let support = |i: usize, mesh: f64| {
-            -(self.damping[i] * row[3 + i] + self.stiffness[i] * row[i] + self.cubic[i] * cubes[i] + mesh)
-                * self.inverse_mass[i]
-        };
-        let (a_p, a_g) = (support(0, mesh), support(1, -mesh));
-        [a_p, a_g, a_p - a_g - mesh + load]
-    }
-}
-
 /// The piece of the regime's tooth function that holds at a state and just after it.
 pub(crate) fn contact(pair: &GearPair, time: f64, state: &[f64; 6]) -> Contact {
     match pair.parameters.regime {
@@ -297,73 +263,7 @@ impl TaylorField<6> for GearPair {
         series: &mut Series<6, LEN>,
     ) {
         let forcing = Forcing::<LEN>::new(&self.parameters, time);
-        let recurrence = Recurrence::new(&self.parameters);
-        let (slope, offset) = piece.line();
-        let nonlinear = recurrence.cubic != [0.0; 2];
-        // Products of series are spread forwards: as soon as a coefficient is known, its share is added to all
-        // later coefficients of the product. Each sum is then complete when it is needed, and the loops run
-        // over independent sums, which the compiler takes several at a time; pinion and gear are two lanes.
-        let mut position = [[0.0; 2]; LEN];
-        let mut square = [[0.0; 2]; LEN];
-        let mut cube = [[0.0; 2]; LEN];
-        let mut force = [0.0; LEN];
         series[0] = *state;
-        for n in 0..LEN - 1 {
-            let row = series[n];
-            let tooth = slope * row[U] - if n == 0 { offset } else { 0.0 };
-            force[n] += tooth;
-            for (sum, pulsation) in force[n..].iter_mut().zip(&forcing.pulsation) {
-                *sum += pulsation * tooth;
-            }
-            if nonlinear {
-                position[n] = [row[0], row[1]];
-                spread_square(n, &position, &mut square);
-                spread_product(n, &square, &position, &mut cube);
-            }
-            let accelerations = recurrence.accelerations(&row, cube[n], force[n], forcing.load[n]);
-            let rate = 1.0 / (n + 1) as f64;
-            for i in 0..3 {
-                series[n + 1][i] = row[3 + i] * rate;
-                series[n + 1][3 + i] = accelerations[i] * rate;
-            }
-        }
-    }
-}
-
-/// Adds to the square of a series what its n-th coefficient brings: twice its products with the earlier ones, and
-/// its own square.
-#[inline]
-fn spread_square<const LEN: usize>(n: usize, factor: &[[f64; 2]; LEN], square: &mut [[f64; 2]; LEN]) {
-    let newest = factor[n];
-    for (sum, earlier) in square[n..].iter_mut().zip(&factor[..n]) {
-        for lane in 0..2 {
-            sum[lane] += 2.0 * newest[lane] * earlier[lane];
-        }
-    }
-    if 2 * n < LEN {
-        for lane in 0..2 {
-            square[2 * n][lane] += newest[lane] * newest[lane];
-        }
-    }
-}
-
-/// Adds to the product of two series what their n-th coefficients bring.
-#[inline]
-fn spread_product<const LEN: usize>(
-    n: usize,
-    left: &[[f64; 2]; LEN],
-    right: &[[f64; 2]; LEN],
-    product: &mut [[f64; 2]; LEN],
-) {
-    let (newest_left, newest_right) = (left[n], right[n]);
-    for ((sum, earlier_left), earlier_right) in product[n..].iter_mut().zip(&left[..n]).zip(&right[..n]) {
-        for lane in 0..2 {
-            sum[lane] += newest_left[lane] * earlier_right[lane] + earlier_left[lane] * newest_right[lane];
-        }
-    }
-    if 2 * n < LEN {
-        for lane in 0..2 {
-            product[2 * n][lane] += newest_left[lane] * newest_right[lane];
-        }
+        Coefficients::new(&self.parameters, &forcing, piece.line()).fill(series);
     }
 }

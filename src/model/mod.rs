@@ -1,5 +1,6 @@
 //! The gear pair: its parameters, its units, its equations of motion.
 
+mod coefficients;
 pub mod equations;
 pub mod linear;
 pub mod parameters;

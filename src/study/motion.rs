@@ -6,11 +6,14 @@ use crate::model::parameters::{Parameters, Regime};
 use crate::numerics::ode::event;
 use crate::numerics::ode::taylor::{Options, Propagation, Step};
 
-/// Taylor coefficients of a step of order 16, for tolerances of common use.
+/// Taylor coefficients of a step of order 16: the least work where motions are wanted to 1e-6 or coarser, and for
+/// variational equations.
 pub const ORDER_16: usize = 17;
+/// Taylor coefficients of a step of order 20: the least work for motions wanted to 1e-7 or finer.
+pub const ORDER_20: usize = 21;
 /// Taylor coefficients of a step of order 24, for the highest accuracy.
 pub const ORDER_24: usize = 25;
-/// Below this tolerance order 24 takes less work than order 16.
+/// Below this tolerance order 24 takes less work than order 16 in the variational equations.
 pub const HIGH_ORDER_BELOW: f64 = 1e-13;
 
 /// Range of the option `tolerance` of every study.
@@ -156,7 +159,7 @@ pub fn follow<const LEN: usize>(
 /// Most steps of one [`carry`], which mostly goes over one period: some tenths of a second.
 const CARRY_STEPS: usize = 400_000;
 
-/// [`follow`] at the order that suits the tolerance, where the steps themselves are not asked for.
+/// [`follow`] where the steps themselves are not asked for.
 ///
 /// # Errors
 /// As [`follow`].
@@ -168,9 +171,5 @@ pub fn carry(
     tolerance: f64,
 ) -> Result<Reached, NumericsError> {
     let options = Options { tolerance: step_tolerance(tolerance), steps: CARRY_STEPS, ..Options::default() };
-    if tolerance < HIGH_ORDER_BELOW {
-        follow::<ORDER_24>(pair, start, state, end, options, |_, _| ())
-    } else {
-        follow::<ORDER_16>(pair, start, state, end, options, |_, _| ())
-    }
+    follow::<ORDER_20>(pair, start, state, end, options, |_, _| ())
 }

@@ -1,7 +1,7 @@
 //! Periodic orbits, as fixed points of the stroboscopic map found by Newton's method with its exact derivative.
 
 use super::ErrorEstimate;
-use super::motion::{self, ORDER_16, ORDER_24};
+use super::motion::{self, ORDER_20};
 use super::multipliers::{Budget, common_period, image, is_stable, trivial_state, unloaded};
 use super::poincare::Strobe;
 use super::time_response::largest_difference;
@@ -343,14 +343,8 @@ fn extrema(
         min[coordinate] = min[coordinate].min(low);
         max[coordinate] = max[coordinate].max(high);
     };
-    if tolerance < motion::HIGH_ORDER_BELOW {
-        motion::follow::<ORDER_24>(pair, 0.0, state, length, options, |step, _| {
-            (0..6).for_each(|i| widen(i, event::range(&step.coordinate(i), step.length)));
-        })?;
-    } else {
-        motion::follow::<ORDER_16>(pair, 0.0, state, length, options, |step, _| {
-            (0..6).for_each(|i| widen(i, event::range(&step.coordinate(i), step.length)));
-        })?;
-    }
+    motion::follow::<ORDER_20>(pair, 0.0, state, length, options, |step, _| {
+        (0..6).for_each(|i| widen(i, event::range(&step.coordinate(i), step.length)));
+    })?;
     Ok((min, max))
 }

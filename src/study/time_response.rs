@@ -1,7 +1,7 @@
 //! The motion in time: sampled evenly, with the times at which the teeth part, up to where it escapes.
 
 use super::ErrorEstimate;
-use super::motion::{self, HIGH_ORDER_BELOW, ORDER_16, ORDER_24};
+use super::motion::{self, ORDER_20};
 use crate::error::StudyError;
 use crate::model::equations::{Contact, GearPair, U};
 use crate::model::parameters::{Parameters, Regime};
@@ -75,17 +75,10 @@ pub fn time_response(p: &Parameters, options: &TimeResponseOptions) -> Result<Ti
             allowed: "at least 1".into(),
         });
     }
-    if options.tolerance < HIGH_ORDER_BELOW {
-        sampled::<ORDER_24>(&pair, options)
-    } else {
-        sampled::<ORDER_16>(&pair, options)
-    }
+    sampled(&pair, options)
 }
 
-fn sampled<const LEN: usize>(
-    pair: &GearPair,
-    options: &TimeResponseOptions,
-) -> Result<TimeResponse, StudyError> {
+fn sampled(pair: &GearPair, options: &TimeResponseOptions) -> Result<TimeResponse, StudyError> {
     let spacing = pair.parameters.mesh_period() / options.samples_per_period as f64;
     let end = options.periods * pair.parameters.mesh_period();
     let stepping =
@@ -94,7 +87,7 @@ fn sampled<const LEN: usize>(
     let mut states = vec![options.state];
     let mut contact_loss = Vec::new();
     let mut steps = 0_usize;
-    let reached = motion::follow::<LEN>(pair, 0.0, options.state, end, stepping, |step, contact| {
+    let reached = motion::follow::<ORDER_20>(pair, 0.0, options.state, end, stepping, |step, contact| {
         steps += 1;
         losses(pair.parameters.regime, step, contact, &mut contact_loss);
         loop {
@@ -114,14 +107,14 @@ fn sampled<const LEN: usize>(
         states.push(reached.state);
     }
     let halved = Options { step_factor: 0.5, steps: 3 * MOST_STEPS, ..stepping };
-    let check = motion::follow::<LEN>(pair, 0.0, options.state, reached.time, halved, |_, _| ())?;
+    let check = motion::follow::<ORDER_20>(pair, 0.0, options.state, reached.time, halved, |_, _| ())?;
     let change = largest_difference(&reached.state, &check.state);
     Ok(TimeResponse {
         t,
         states,
         contact_loss,
         escaped: reached.escaped,
-        method: format!("Taylor series of order {}, {steps} steps", LEN - 1),
+        method: format!("Taylor series of order {}, {steps} steps", ORDER_20 - 1),
         error: ErrorEstimate { step: Some(change), ..ErrorEstimate::default() },
     })
 }
@@ -131,7 +124,7 @@ pub(crate) fn largest_difference(left: &[f64; 6], right: &[f64; 6]) -> f64 {
     left.iter().zip(right).fold(0.0, |most, (a, b)| most.max((a - b).abs()))
 }
 
-fn losses<const LEN: usize>(regime: Regime, step: &Step<6, LEN>, contact: Contact, times: &mut Vec<f64>) {
+fn losses(regime: Regime, step: &Step<6, ORDER_20>, contact: Contact, times: &mut Vec<f64>) {
     let mut coefficients = step.coordinate(U);
     coefficients[0] -= 1.0;
     match (regime, contact) {

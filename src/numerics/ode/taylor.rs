@@ -102,15 +102,43 @@ impl<const N: usize, const LEN: usize> Step<N, LEN> {
     }
 }
 
-/// Step length at which each of the last two terms is `tolerance` times the largest coordinate.
+/// Step length at which each of the last two terms is about `tolerance` times the largest coordinate.
 ///
 /// Infinite where both vanish. States smaller than `1e-6` count as that large, so that an equilibrium reached to
-/// rounding error does not ask for accuracy below it.
+/// rounding error does not ask for accuracy below it. The roots are taken to a per mille: a step need not be exact, and
+/// is then the same to the bit on every machine.
 pub fn step_length<const N: usize, const LEN: usize>(series: &Series<N, LEN>, tolerance: f64) -> f64 {
     let largest = |row: &[f64; N]| row.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-    let allowed = tolerance * largest(&series[0]).max(1e-6);
-    let by_term = |order: usize| (allowed / largest(&series[order])).powf(1.0 / order as f64);
-    by_term(LEN - 1).min(by_term(LEN - 2))
+    let (last, last_but_one) = (largest(&series[LEN - 1]), largest(&series[LEN - 2]));
+    let size = largest(&series[0]);
+    if last == 0.0 && last_but_one == 0.0 {
+        return f64::INFINITY;
+    }
+    if !(size + last + last_but_one).is_finite() {
+        return f64::NAN;
+    }
+    let allowed = rough_log2(tolerance * size.max(1e-6));
+    let by_term = |term: f64, order: usize| (allowed - rough_log2(term)) / order as f64;
+    rough_exp2(by_term(last, LEN - 1).min(by_term(last_but_one, LEN - 2)))
+}
+
+/// The logarithm to base 2 of a number above zero, to 2e-3: its exponent and a parabola in its mantissa. Zero counts
+/// as the least normal number.
+fn rough_log2(number: f64) -> f64 {
+    let bits = number.max(f64::MIN_POSITIVE).to_bits();
+    let exponent = (bits >> 52) as f64 - 1023.0;
+    let part = f64::from_bits(bits & 0x000f_ffff_ffff_ffff | 0x3ff0_0000_0000_0000) - 1.0;
+    // Exact at both ends of the mantissa.
+    exponent + part + part * (1.0 - part) * (0.4209 - 0.1564 * part)
+}
+
+/// 2 to this power, to 1e-3, for powers from -1000 to 1000; beyond, the value at the end.
+fn rough_exp2(power: f64) -> f64 {
+    let power = power.clamp(-1000.0, 1000.0);
+    let whole = power.floor();
+    let part = power - whole;
+    let mantissa = 1.0 + part - part * (1.0 - part) * (0.3041 + 0.0791 * part);
+    mantissa * f64::from_bits(((whole as i64 + 1023) as u64) << 52)
 }
 
 /// An integration under way, taken step by step.
@@ -240,4 +268,36 @@ pub fn integrate<F: TaylorField<N>, const N: usize, const LEN: usize>(
         propagation.step(end)?;
     }
     Ok(*propagation.state())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{rough_exp2, rough_log2, step_length};
+
+    #[test]
+    fn rough_powers_are_as_near_as_they_say() {
+        for step in 0..4000 {
+            let power = 0.37 * f64::from(step) - 740.0;
+            let number = power.exp2();
+            assert!((rough_exp2(power) / number - 1.0).abs() < 1e-3, "2^{power}");
+            assert!((rough_log2(number) - power).abs() < 2e-3, "log2 of {number:e}");
+        }
+        assert!(rough_exp2(f64::INFINITY).is_finite() && rough_log2(0.0) < -1000.0);
+    }
+
+    #[test]
+    fn a_step_makes_the_last_terms_as_small_as_asked() {
+        let mut series = [[0.0; 2]; 9];
+        for (order, row) in series.iter_mut().enumerate() {
+            *row = [3.0 * 0.7_f64.powf(order as f64), 0.0];
+        }
+        let length = step_length(&series, 1e-12);
+        let largest = |order: usize| series[order][0] * length.powf(order as f64) / 3.0;
+        assert!((largest(8).max(largest(7)) / 1e-12).ln().abs() < 0.05);
+        series[7] = [0.0; 2];
+        series[8] = [0.0; 2];
+        assert_eq!(step_length(&series, 1e-12), f64::INFINITY);
+        series[8] = [f64::INFINITY; 2];
+        assert!(step_length(&series, 1e-12).is_nan());
+    }
 }
