@@ -57,6 +57,9 @@ impl<const LEN: usize> Coefficients<LEN> {
     }
 
     /// Fills all rows of `series` after the first.
+    ///
+    /// Never inlined: once is enough of so much code.
+    #[inline(never)]
     pub fn fill(&mut self, series: &mut Series<6, LEN>) {
         const { assert!(LEN <= MOST, "the motion's series has more coefficients than are written out") };
         macro_rules! each {

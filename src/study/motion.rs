@@ -6,15 +6,13 @@ use crate::model::parameters::{Parameters, Regime};
 use crate::numerics::ode::event;
 use crate::numerics::ode::taylor::{Options, Propagation, Step};
 
-/// Taylor coefficients of a step of order 16: the least work where motions are wanted to 1e-6 or coarser, and for
-/// variational equations.
+/// Taylor coefficients of a step of order 16: less work for variational equations than order 20.
 pub const ORDER_16: usize = 17;
-/// Taylor coefficients of a step of order 20: the least work for motions wanted to 1e-7 or finer.
+/// Taylor coefficients of a step of order 20: the least work for motions wanted to 1e-7 or finer. One order serves
+/// all, because each has its coefficients written out.
 pub const ORDER_20: usize = 21;
-/// Taylor coefficients of a step of order 24, for the highest accuracy.
+/// Taylor coefficients of a step of order 24, for the linear problem.
 pub const ORDER_24: usize = 25;
-/// Below this tolerance order 24 takes less work than order 16 in the variational equations.
-pub const HIGH_ORDER_BELOW: f64 = 1e-13;
 
 /// Range of the option `tolerance` of every study.
 pub const TOLERANCE: (f64, f64) = (1e-14, 1e-3);
@@ -131,12 +129,13 @@ pub fn follow<const LEN: usize>(
     let mut propagation = Propagation::<GearPair, 6, LEN>::new(pair, start, state, options);
     while propagation.time() < end {
         let contact = propagation.piece();
-        let mut step = propagation.step(end)?;
+        propagation.advance(end)?;
+        let step = propagation.latest();
         // A motion that starts and ends a step well inside the bounds does not leave them in between.
         if near_escape(pair, &step.series[0], propagation.state())
-            && let Some(since) = escape_since(pair, &step)
+            && let Some(since) = escape_since(pair, step)
         {
-            step.length = since;
+            let step = Step { length: since, ..*step };
             visit(&step, contact);
             let time = step.end();
             return Ok(Reached {
@@ -146,7 +145,7 @@ pub fn follow<const LEN: usize>(
                 steps: propagation.taken(),
             });
         }
-        visit(&step, contact);
+        visit(step, contact);
     }
     Ok(Reached {
         time: propagation.time(),

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use super::ErrorEstimate;
-use super::motion::{self, HIGH_ORDER_BELOW, ORDER_16, ORDER_24};
+use super::motion::{self, ORDER_20, ORDER_24};
 use super::orbit::{self, OrbitOptions};
 use crate::error::{ModelError, NumericsError, StudyError};
 use crate::model::equations::GearPair;
@@ -147,28 +147,13 @@ pub fn image(
     budget: &Budget,
 ) -> Result<Image, NumericsError> {
     let end = periods as f64 * pair.parameters.mesh_period();
-    let tolerance_of_step = motion::step_tolerance(tolerance);
-    let options = Options { tolerance: tolerance_of_step, step_factor, steps: budget.left() };
-    if tolerance < HIGH_ORDER_BELOW {
-        image_by::<ORDER_24>(pair, state, end, options, budget)
-    } else {
-        image_by::<ORDER_16>(pair, state, end, options, budget)
-    }
-}
-
-fn image_by<const LEN: usize>(
-    pair: &GearPair,
-    state: &[f64; 6],
-    end: f64,
-    options: Options,
-    budget: &Budget,
-) -> Result<Image, NumericsError> {
+    let options = Options { tolerance: motion::step_tolerance(tolerance), step_factor, steps: budget.left() };
     let field = Variational { pair: *pair };
     let mut propagation =
-        Propagation::<_, { variational::SIZE }, LEN>::new(&field, 0.0, variational::start(state), options);
+        Propagation::<_, { variational::SIZE }, ORDER_20>::new(&field, 0.0, variational::start(state), options);
     let [pinion, gear] = pair.escape_bounds();
     while propagation.time() < end {
-        propagation.step(end)?;
+        propagation.advance(end)?;
         budget.spend(1);
         let now = propagation.state();
         if now[0].abs() > pinion || now[1].abs() > gear {

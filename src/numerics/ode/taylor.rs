@@ -36,8 +36,8 @@ pub trait TaylorField<const N: usize> {
     /// The ends of a piece.
     fn boundaries(&self, piece: Self::Piece) -> [Option<Boundary>; 2];
 
-    /// Fills `series` with the Taylor coefficients of the solution through `state` at `time`, as if the piece
-    /// had no end.
+    /// Fills all of `series`, whatever it holds, with the Taylor coefficients of the solution through `state` at
+    /// `time`, as if the piece had no end.
     fn series<const LEN: usize>(
         &self,
         piece: Self::Piece,
@@ -152,6 +152,8 @@ pub struct Propagation<'a, F: TaylorField<N>, const N: usize, const LEN: usize> 
     /// A boundary that the state lies on: its coordinate and level.
     on_boundary: Option<(usize, f64)>,
     taken: usize,
+    /// The step taken last; kept here because its polynomial is too large to be moved about without need.
+    latest: Step<N, LEN>,
 }
 
 impl<'a, F: TaylorField<N>, const N: usize, const LEN: usize> Propagation<'a, F, N, LEN> {
@@ -164,7 +166,8 @@ impl<'a, F: TaylorField<N>, const N: usize, const LEN: usize> Propagation<'a, F,
             .flatten()
             .find(|boundary| state[boundary.coordinate] == boundary.level)
             .map(|boundary| (boundary.coordinate, boundary.level));
-        Self { field, options, time, state, piece, on_boundary, taken: 0 }
+        let latest = Step { start: time, length: 0.0, series: [[0.0; N]; LEN] };
+        Self { field, options, time, state, piece, on_boundary, taken: 0, latest }
     }
 
     /// Present time.
@@ -187,17 +190,30 @@ impl<'a, F: TaylorField<N>, const N: usize, const LEN: usize> Propagation<'a, F,
         self.taken
     }
 
+    /// The step taken last; of no length before the first.
+    pub fn latest(&self) -> &Step<N, LEN> {
+        &self.latest
+    }
+
+    /// [`Propagation::advance`], and a copy of the step.
+    ///
+    /// # Errors
+    /// As [`Propagation::advance`].
+    pub fn step(&mut self, until: f64) -> Result<Step<N, LEN>, NumericsError> {
+        self.advance(until)?;
+        Ok(self.latest)
+    }
+
     /// Takes one step forwards, at most to `until`, at most to the end of the present piece.
     ///
     /// # Errors
     /// [`NumericsError::NotFinite`], [`NumericsError::StepTooSmall`] or [`NumericsError::TooManySteps`].
-    pub fn step(&mut self, until: f64) -> Result<Step<N, LEN>, NumericsError> {
+    pub fn advance(&mut self, until: f64) -> Result<(), NumericsError> {
         if self.taken >= self.options.steps {
             return Err(NumericsError::TooManySteps { time: self.time, steps: self.taken });
         }
-        let mut series = [[0.0; N]; LEN];
-        self.field.series(self.piece, self.time, &self.state, &mut series);
-        let wished = step_length(&series, self.options.tolerance) * self.options.step_factor;
+        self.field.series(self.piece, self.time, &self.state, &mut self.latest.series);
+        let wished = step_length(&self.latest.series, self.options.tolerance) * self.options.step_factor;
         if wished.is_nan() {
             return Err(NumericsError::NotFinite { time: self.time });
         }
@@ -209,12 +225,12 @@ impl<'a, F: TaylorField<N>, const N: usize, const LEN: usize> Propagation<'a, F,
         if !last && length <= resolution {
             return Err(NumericsError::StepTooSmall { time: self.time, step: length });
         }
-        let crossing = self.first_crossing(&series, length);
+        let crossing = self.first_crossing(&self.latest.series, length);
         if let Some((since, _)) = crossing {
             length = since;
         }
-        let step = Step { start: self.time, length, series };
-        self.state = step.value(length);
+        (self.latest.start, self.latest.length) = (self.time, length);
+        self.state = self.latest.value(length);
         if self.state.iter().any(|value| !value.is_finite()) {
             return Err(NumericsError::NotFinite { time: self.time });
         }
@@ -230,7 +246,7 @@ impl<'a, F: TaylorField<N>, const N: usize, const LEN: usize> Propagation<'a, F,
             self.time = if last { until } else { self.time + length };
             self.on_boundary = None;
         }
-        Ok(step)
+        Ok(())
     }
 
     /// The first crossing out of the present piece within the step: time since its start, and the boundary.
@@ -265,7 +281,7 @@ pub fn integrate<F: TaylorField<N>, const N: usize, const LEN: usize>(
 ) -> Result<[f64; N], NumericsError> {
     let mut propagation = Propagation::<F, N, LEN>::new(field, start, state, options);
     while propagation.time() < end {
-        propagation.step(end)?;
+        propagation.advance(end)?;
     }
     Ok(*propagation.state())
 }
