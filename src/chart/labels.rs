@@ -174,10 +174,10 @@ pub fn place(requests: &[Request], crowd: &mut Crowd, within: &Rect) -> Vec<Plac
         Anchor::Curve(..) => 2,
         Anchor::Area(..) => 3,
     };
-    let mut order: Vec<&Request> = requests.iter().collect();
-    order.sort_by_key(|request| rank(request));
+    let mut order: Vec<usize> = (0..requests.len()).collect();
+    order.sort_unstable_by_key(|&index| (rank(&requests[index]), index));
     let mut placed = Vec::new();
-    for request in order {
+    for request in order.into_iter().map(|index| &requests[index]) {
         for shrink in SHRINKS {
             let label = set(&request.markup, request.size * shrink, Face::Regular);
             let Some(best) = best_place(request, &label, crowd, &sums, within) else {

@@ -100,7 +100,7 @@ fn as_asked(drawing: &Drawing) -> Arrangement {
 /// The frames stacked in reading order, each as many rows high as it was.
 fn stacked(drawing: &Drawing) -> Arrangement {
     let mut order: Vec<usize> = (0..drawing.frames.len()).collect();
-    order.sort_by_key(|&i| (drawing.frames[i].cell.1, drawing.frames[i].cell.0));
+    order.sort_unstable_by_key(|&i| (drawing.frames[i].cell.1, drawing.frames[i].cell.0, i));
     let mut places = vec![[0, 0, 1, 1]; order.len()];
     let mut row = 0;
     for frame in order {

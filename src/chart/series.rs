@@ -311,7 +311,7 @@ pub fn draw_solid<S: Surface>(
         };
         anchors.push(anchor);
     }
-    stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
+    stretches.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut start = 0;
     while start < stretches.len() {
         let owner = stretches[start].1;
@@ -323,7 +323,7 @@ pub fn draw_solid<S: Surface>(
         start = end;
     }
     // Marks lie on the curves: they come last, the nearest on top.
-    marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+    marks.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     for (_, owner, center) in marks {
         let look = context.look(all[owner]);
         draw_marks(painter, all[owner], &look, &[center], context.theme, crowd)?;

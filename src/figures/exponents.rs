@@ -163,7 +163,7 @@ impl ExponentPaths {
             waiting.push(parameters.omega);
         }
         // Taken from the end: from low frequencies to high ones.
-        waiting.sort_by(|one, other| other.total_cmp(one));
+        waiting.sort_unstable_by(|one, other| other.total_cmp(one));
         waiting.dedup();
         let unloaded = Parameters {
             regime: Regime::Homogeneous,
@@ -199,7 +199,7 @@ impl ExponentPaths {
     }
 
     fn next_stage(&mut self) -> Result<(), FigureError> {
-        self.samples.sort_by(|one, other| one.omega.total_cmp(&other.omega));
+        self.samples.sort_unstable_by(|one, other| one.omega.total_cmp(&other.omega));
         match self.stage {
             Stage::Coarse => {
                 self.stage = Stage::Fine;
@@ -219,7 +219,7 @@ impl ExponentPaths {
                     }
                 }
                 self.refine();
-                self.waiting.sort_by(|one, other| other.total_cmp(one));
+                self.waiting.sort_unstable_by(|one, other| other.total_cmp(one));
                 if self.waiting.is_empty() {
                     self.stage = Stage::Done;
                 }
@@ -318,14 +318,14 @@ impl ExponentPaths {
     pub(super) fn kinds(&self) -> Vec<(f64, Kind)> {
         let mut kinds: Vec<(f64, Kind)> =
             self.samples.iter().map(|sample| (sample.omega, sample.kind)).collect();
-        kinds.sort_by(|one, other| one.0.total_cmp(&other.0));
+        kinds.sort_unstable_by(|one, other| one.0.total_cmp(&other.0));
         kinds
     }
 
     /// The exponents joined from frequency to frequency, without folds: values may leave the strip.
     pub(super) fn tracks(&self) -> Vec<Track> {
         let mut samples: Vec<&Sample> = self.samples.iter().collect();
-        samples.sort_by(|one, other| one.omega.total_cmp(&other.omega));
+        samples.sort_unstable_by(|one, other| one.omega.total_cmp(&other.omega));
         let mut tracks: Vec<Track> = Vec::with_capacity(samples.len());
         for sample in samples {
             let expected = match tracks.len() {

@@ -242,7 +242,7 @@ impl ExponentPaths {
         for edge in edges.iter().filter(|edge| low < **edge && **edge < high) {
             frequencies.extend((0..9).map(|n| edge + (high - low) * 1e-3 * f64::from(n - 4)));
         }
-        frequencies.sort_by(f64::total_cmp);
+        frequencies.sort_unstable_by(f64::total_cmp);
         let values: Vec<Vec<(f64, f64)>> =
             frequencies.into_iter().map(exponents).filter(|values| !values.is_empty()).collect();
         for index in 0..values.first().map_or(0, Vec::len) {

@@ -96,7 +96,7 @@ fn sorted(eigenvalues: &[Complex<f64>], scale: f64) -> Spectrum {
     ordered.copy_from_slice(eigenvalues);
     // Moduli that differ by rounding alone count as equal, so that pairs stay together.
     let key = |value: &Complex<f64>| (value.norm() * 1e12).round();
-    ordered.sort_by(|left, right| {
+    ordered.sort_unstable_by(|left, right| {
         key(right)
             .total_cmp(&key(left))
             .then(right.im.abs().total_cmp(&left.im.abs()))
