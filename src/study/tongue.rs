@@ -120,7 +120,7 @@ pub(super) fn edge_error(
     k0: f64,
     width: f64,
 ) -> Result<(f64, f64), NumericsError> {
-    let mut function = edge.function;
+    let function = edge.function;
     let value = function.value(linear, edge.omega, k0)?;
     let finer = function.value(&linear.refined(), edge.omega, k0)?;
     let aside = 1e-4 * width.abs().max(1e-6 * edge.omega);
@@ -150,12 +150,9 @@ pub(super) fn origin(linear: &LinearFloquet, tongue: Tongue) -> (f64, EdgeFuncti
     let frequencies = linear.frequencies();
     let (slow, fast) = (frequencies[0], frequencies[frequencies.len() - 1]);
     match tongue {
-        Tongue::Primary2 => (2.0 * slow, EdgeFunction::real(EdgeKind::PeriodDoubling)),
-        Tongue::Primary3 => (2.0 * fast, EdgeFunction::real(EdgeKind::PeriodDoubling)),
-        Tongue::Combination | Tongue::Near(_) => {
-            let sum = slow + fast;
-            (sum, EdgeFunction::pair(linear, -2.0 * (2.0 * PI * slow / sum).cos()))
-        }
+        Tongue::Primary2 => (2.0 * slow, EdgeFunction { kind: EdgeKind::PeriodDoubling }),
+        Tongue::Primary3 => (2.0 * fast, EdgeFunction { kind: EdgeKind::PeriodDoubling }),
+        Tongue::Combination | Tongue::Near(_) => (slow + fast, EdgeFunction::pair(linear)),
     }
 }
 
@@ -168,10 +165,11 @@ fn follow_centre(
     tongue: Tongue,
     k0: f64,
 ) -> Result<Option<(f64, EdgeFunction)>, NumericsError> {
-    let (mut centre, mut function) = origin(linear, tongue);
+    let (mut centre, function) = origin(linear, tongue);
     if k0 == 0.0 {
         return Ok(None);
     }
+    let origin_at = centre;
     let count = (k0 / K0_STEP).ceil();
     let mut before: Option<(f64, f64)> = None;
     let mut deepest = Deepest { omega: centre, value: f64::INFINITY };
@@ -188,11 +186,34 @@ fn follow_centre(
         let last = index as f64 == count;
         let widths: &[f64] = if last { &[0.01, 2e-3, 2e-4] } else { &[0.01, 2e-3] };
         let guess = if index < 3 { centre } else { guess };
-        deepest = minimise(linear, &mut function, guess, depth, widths)?;
+        deepest = minimise(linear, function, guess, depth, widths)?;
         before = Some((depth * depth, centre));
         centre = deepest.omega;
     }
-    Ok((deepest.value < 0.0).then_some((centre, function)))
+    let open = deepest.value < 0.0 && is_this_instability(linear, function, origin_at, centre, k0)?;
+    Ok(open.then_some((centre, function)))
+}
+
+/// How far the middle of a tongue may move from where it starts, relative to that.
+const WANDERS: f64 = 0.35;
+
+/// Whether a point where the function is below zero is unstable by multipliers of its kind, not far from where the tongue
+/// starts: with strong damping there may be no minimum to follow, and what is met instead is no tongue, or another.
+fn is_this_instability(
+    linear: &LinearFloquet,
+    function: EdgeFunction,
+    origin: f64,
+    omega: f64,
+    k0: f64,
+) -> Result<bool, NumericsError> {
+    if linear.undamped() {
+        return Ok(true);
+    }
+    let factors = factorise(&linear.characteristic(omega, k0)?, None)?.0;
+    let top = factors.top();
+    let real = 0.25 * factors.p[top] * factors.p[top] >= factors.q[top];
+    let of_kind = real == (function.kind == EdgeKind::PeriodDoubling);
+    Ok(of_kind && factors.radius() > 1.0 && (omega - origin).abs() < WANDERS * origin)
 }
 
 struct Deepest {
@@ -203,7 +224,7 @@ struct Deepest {
 /// A local minimum along Omega by parabolas through three points, whose distance shrinks.
 fn minimise(
     linear: &LinearFloquet,
-    function: &mut EdgeFunction,
+    function: EdgeFunction,
     start: f64,
     k0: f64,
     widths: &[f64],
@@ -254,7 +275,7 @@ fn between_zeros(
             inside = next;
             step = (1.5 * step).min(5e-3 * centre);
         };
-        edge.omega = zero(linear, &mut edge.function, inside, outside, k0, tolerance)?;
+        edge.omega = zero(linear, edge.function, inside, outside, k0, tolerance)?;
     }
     Ok(Some(found))
 }
@@ -262,7 +283,7 @@ fn between_zeros(
 /// The zero of the function between two frequencies.
 pub(super) fn zero(
     linear: &LinearFloquet,
-    function: &mut EdgeFunction,
+    function: EdgeFunction,
     inside: f64,
     outside: f64,
     k0: f64,
@@ -343,9 +364,9 @@ mod near {
         let step = stride(linear, omega);
         let count = ((NEAR * omega / step).ceil() as usize).min(MOST);
         // Values of both real functions two and one steps before, on each side.
-        let mut real = [EdgeKind::PeriodDoubling, EdgeKind::PlusOne].map(EdgeFunction::real);
+        let real = [EdgeKind::PeriodDoubling, EdgeKind::PlusOne].map(|kind| EdgeFunction { kind });
         let mut start = [0.0; 2];
-        for (value, function) in start.iter_mut().zip(&mut real) {
+        for (value, function) in start.iter_mut().zip(&real) {
             *value = function.value(linear, omega, k0)?;
         }
         let mut before = [[start; 2]; 2];
@@ -407,22 +428,18 @@ mod near {
         let at_edge = factors(linear, unstable, k0)?;
         let top = at_edge.top();
         let (p, q) = (at_edge.p[top], at_edge.q[top]);
-        let real = 0.25 * p * p >= q;
-        let mut function = if real {
-            EdgeFunction::real(if p > 0.0 { EdgeKind::PeriodDoubling } else { EdgeKind::PlusOne })
-        } else {
-            EdgeFunction::pair(linear, p / q.sqrt())
+        let kind = match (0.25 * p * p >= q, p > 0.0) {
+            (true, true) => EdgeKind::PeriodDoubling,
+            (true, false) => EdgeKind::PlusOne,
+            (false, _) => EdgeFunction::pair(linear).kind,
         };
+        let function = EdgeFunction { kind };
         // Both sides of the zero, at a distance that its rounding does not blur.
         for distance in [1e-7, 1e-6, 1e-5] {
             let low = unstable - direction * distance * inside;
             let high = stable + direction * (distance * inside).min((outer - stable).abs());
-            let (start, end) = (function, function.value(linear, high, k0)?);
-            let mut at_low = start;
-            let begin = at_low.value(linear, low, k0)?;
-            function.pair = start.pair;
-            if begin * end < 0.0 {
-                let omega = zero(linear, &mut function, low, high, k0, tolerance)?;
+            if function.value(linear, low, k0)? * function.value(linear, high, k0)? < 0.0 {
+                let omega = zero(linear, function, low, high, k0, tolerance)?;
                 return Ok(Edge { omega, function });
             }
         }

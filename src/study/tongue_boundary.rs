@@ -122,7 +122,7 @@ pub fn tongue_boundary(
             if matches!(tongue, Tongue::Near(_)) { None } else { Some(tongue::origin(&linear, tongue).0) };
         two_legs(&linear, plane, &legs, low, named, points, tolerance, &mut boundary)?;
     }
-    errors(&linear, &left, plane, &mut boundary)?;
+    errors(&linear, plane, &mut boundary)?;
     Ok(boundary)
 }
 
@@ -136,7 +136,7 @@ enum Followed {
 fn at(
     linear: &LinearFloquet,
     plane: Plane,
-    function: &mut EdgeFunction,
+    function: EdgeFunction,
     point: [f64; 2],
 ) -> Result<f64, NumericsError> {
     function.value(linear, plane.omega(point), plane.k0(point))
@@ -150,12 +150,12 @@ fn follow(
     to: &Edge,
     low: f64,
 ) -> Result<Followed, StudyError> {
-    let mut function = from.function;
+    let function = from.function;
     let start = plane.point(from.omega, plane.depth);
     let floor = low / plane.depth;
     let mut went_over = false;
     let (curve, end) = two_parameter::trace(
-        &mut |point| at(linear, plane, &mut function, point),
+        &mut |point| at(linear, plane, function, point),
         start,
         [0.0, -1.0],
         &Options::default(),
@@ -240,7 +240,7 @@ fn over(
     boundary: &mut TongueBoundary,
 ) -> Result<(), StudyError> {
     let curve = &leg.curve;
-    let mut function = leg.function;
+    let function = leg.function;
     let weights = weights(curve);
     let top = weight_at_height(curve, &weights, 1.0);
     let fine = tolerance.max(1e-14) * 0.1 / plane.width.max(1.0);
@@ -261,7 +261,7 @@ fn over(
         } else {
             tip_weight + (top - tip_weight) * (index - before) as f64 / (points - 1 - before) as f64
         };
-        let mut evaluate = |point| at(linear, plane, &mut function, point);
+        let mut evaluate = |point| at(linear, plane, function, point);
         let point = if index == 0 {
             curve.points[0]
         } else if index + 1 == points {
@@ -302,7 +302,7 @@ fn level(
 /// points near it converge fast.
 fn tip(linear: &LinearFloquet, plane: Plane, leg: &Leg, tolerance: f64) -> Result<[f64; 2], StudyError> {
     let curve = &leg.curve;
-    let mut function = leg.function;
+    let function = leg.function;
     let lowest = (1..curve.points.len() - 1)
         .fold(1, |best, i| if curve.points[i][1] < curve.points[best][1] { i } else { best });
     let mut centre = curve.points[lowest];
@@ -316,7 +316,7 @@ fn tip(linear: &LinearFloquet, plane: Plane, leg: &Leg, tolerance: f64) -> Resul
             let x = centre[0] + radius * offset;
             let guess = [x, centre[1]];
             let found = two_parameter::correct(
-                &mut |point| at(linear, plane, &mut function, point),
+                &mut |point| at(linear, plane, function, point),
                 guess,
                 [0.0, 1.0],
                 slope,
@@ -384,8 +384,8 @@ fn two_legs(
     let mut columns: [Vec<[f64; 2]>; 2] = [Vec::new(), Vec::new()];
     for (which, leg) in legs.iter().enumerate() {
         let curve = &leg.curve;
-        let mut function = leg.function;
-        let mut evaluate = |point| at(linear, plane, &mut function, point);
+        let function = leg.function;
+        let mut evaluate = |point| at(linear, plane, function, point);
         let weights = weights(curve);
         let floor = low / plane.depth;
         let bottom = weight_at_height(curve, &weights, floor);
@@ -445,19 +445,14 @@ fn nearest_origin(linear: &LinearFloquet, omega: f64) -> f64 {
 }
 
 /// Distance of points from the curve, and their change when every step is halved.
-fn errors(
-    linear: &LinearFloquet,
-    left: &Edge,
-    plane: Plane,
-    boundary: &mut TongueBoundary,
-) -> Result<(), StudyError> {
+fn errors(linear: &LinearFloquet, plane: Plane, boundary: &mut TongueBoundary) -> Result<(), StudyError> {
     let (mut step, mut residual) = (0.0_f64, 0.0_f64);
     let count = boundary.omega.len();
     for index in [0, count / 3, 2 * count / 3, count - 1] {
         if boundary.k0[index] == 0.0 {
             continue;
         }
-        let function = EdgeFunction { kind: boundary.kind[index], ..left.function };
+        let function = EdgeFunction { kind: boundary.kind[index] };
         let edge = Edge { omega: boundary.omega[index], function };
         let (change, distance) = tongue::edge_error(linear, &edge, boundary.k0[index], plane.width)?;
         step = step.max(change);

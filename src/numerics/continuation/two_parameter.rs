@@ -65,6 +65,9 @@ const STENCIL: usize = 6;
 /// Corrections beyond this part of the step are not trusted.
 const REACH: f64 = 0.1;
 
+/// A step shorter than this part of the chord before it takes that chord back.
+const SHORT: f64 = 0.2;
+
 fn turned(direction: [f64; 2]) -> [f64; 2] {
     [-direction[1], direction[0]]
 }
@@ -123,6 +126,12 @@ impl Curve {
         self.points.push(point);
         self.slopes.push(slope);
         self.lengths.push(length);
+    }
+
+    fn pop(&mut self) {
+        self.points.pop();
+        self.slopes.pop();
+        self.lengths.pop();
     }
 
     /// Point and direction at a length along the curve, by the polynomial through the points from `first` on.
@@ -223,6 +232,12 @@ pub fn trace(
             step *= 0.5;
             if step < options.least {
                 return Ok((curve, End::Lost));
+            }
+            // The last chord was too long for where it ended: the curve had begun to turn.
+            if count > 2 && step < SHORT * (curve.lengths[count - 1] - curve.lengths[count - 2]) {
+                step = 0.5 * (curve.lengths[count - 1] - curve.lengths[count - 2]);
+                curve.pop();
+                tangent = direction(curve.points[count - 3], curve.points[count - 2]).0;
             }
             continue;
         };
