@@ -46,6 +46,26 @@ impl LinearPair {
         }
     }
 
+    /// The vector b.
+    pub fn coupling(&self) -> [f64; 3] {
+        self.coupling
+    }
+
+    /// The supports' part of C, a diagonal.
+    pub fn support_damping(&self) -> [f64; 3] {
+        self.support_damping
+    }
+
+    /// The supports' part of K, a diagonal.
+    pub fn support_stiffness(&self) -> [f64; 3] {
+        self.support_stiffness
+    }
+
+    /// The factor 2 zeta of b b^T in C.
+    pub fn mesh_damping(&self) -> f64 {
+        self.mesh_damping
+    }
+
     /// The damping matrix C, rows by rows.
     pub fn damping_matrix(&self) -> [[f64; 3]; 3] {
         std::array::from_fn(|row| {

@@ -1,7 +1,11 @@
 //! Algorithms that know no gears: integrators, roots, Floquet theory, periodic orbits.
 
+pub mod characteristic;
+pub mod chebyshev;
+pub mod continuation;
 pub mod floquet;
 pub mod newton;
 pub mod ode;
+pub mod parametric;
 pub mod periodic;
 pub mod roots;

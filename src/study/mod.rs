@@ -1,12 +1,18 @@
 //! Questions asked of the model, answered in plain columns.
 
 pub mod benchmark;
+pub mod chart_work;
+pub mod edge_function;
 pub mod grid;
+pub mod linear_floquet;
 pub mod motion;
 pub mod multipliers;
 pub mod orbit;
 pub mod poincare;
+pub mod stability_chart;
 pub mod time_response;
+pub mod tongue;
+pub mod tongue_boundary;
 
 /// What is known of the error of an answer; each as it applies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,0 +1,241 @@
+//! Characteristic polynomials of real matrices of four or six rows, and their factors: real quadratics, refined by
+//! Newton's method from those of a neighbour.
+
+use nalgebra::SMatrix;
+
+use super::floquet::{self, Spectrum};
+use crate::error::NumericsError;
+
+/// A monic polynomial of degree 4 or 6: lambda^n + c_1 lambda^(n-1) + ... + c_n.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Characteristic {
+    /// 4 or 6.
+    pub degree: usize,
+    /// c_1 to c_n; zeros beyond.
+    pub coefficients: [f64; 6],
+}
+
+impl Characteristic {
+    /// Of a matrix by rows whose determinant is known: by Newton's identities from the traces of its powers.
+    pub fn of<const L: usize>(matrix: &[[f64; L]; L], determinant: f64) -> Self {
+        let mut powers = [*matrix; 3];
+        for power in 1..L / 2 {
+            let before = powers[power - 1];
+            let next = &mut powers[power];
+            *next = [[0.0; L]; L];
+            for row in 0..L {
+                for inner in 0..L {
+                    for lane in 0..L {
+                        next[row][lane] += before[row][inner] * matrix[inner][lane];
+                    }
+                }
+            }
+        }
+        let trace_of = |left: &[[f64; L]; L], right: &[[f64; L]; L]| -> f64 {
+            let mut sum = 0.0;
+            for row in 0..L {
+                for column in 0..L {
+                    sum += left[row][column] * right[column][row];
+                }
+            }
+            sum
+        };
+        let mut traces = [0.0; 6];
+        traces[0] = (0..L).map(|i| matrix[i][i]).sum();
+        for power in 1..L - 1 {
+            let exponent = power + 1;
+            traces[power] = trace_of(&powers[exponent.div_ceil(2) - 1], &powers[exponent / 2 - 1]);
+        }
+        let mut coefficients = [0.0; 6];
+        for k in 0..L - 1 {
+            let mut sum = traces[k];
+            for i in 0..k {
+                sum += coefficients[i] * traces[k - 1 - i];
+            }
+            coefficients[k] = -sum / (k + 1) as f64;
+        }
+        coefficients[L - 1] = determinant;
+        Self { degree: L, coefficients }
+    }
+
+    /// The same polynomial made reciprocal: what that of an undamped system is but for rounding.
+    #[must_use]
+    pub fn reciprocal(mut self) -> Self {
+        let n = self.degree;
+        for k in 0..n / 2 - 1 {
+            let mean = 0.5 * (self.coefficients[k] + self.coefficients[n - 2 - k]);
+            self.coefficients[k] = mean;
+            self.coefficients[n - 2 - k] = mean;
+        }
+        self.coefficients[n - 1] = 1.0;
+        self
+    }
+
+    /// Its value at a real argument.
+    pub fn value(&self, at: f64) -> f64 {
+        self.coefficients[..self.degree].iter().fold(1.0, |sum, coefficient| sum * at + coefficient)
+    }
+
+    /// Its roots, as eigenvalues of the companion matrix; of a polynomial of degree 4 two further zeros.
+    ///
+    /// # Errors
+    /// As [`floquet::spectrum`].
+    pub fn roots(&self) -> Result<Spectrum, NumericsError> {
+        let mut companion = SMatrix::<f64, 6, 6>::zeros();
+        for column in 0..self.degree {
+            companion[(0, column)] = -self.coefficients[column];
+            if column + 1 < self.degree {
+                companion[(column + 1, column)] = 1.0;
+            }
+        }
+        floquet::spectrum(&companion)
+    }
+}
+
+/// A product of real quadratics lambda^2 + p lambda + q: two or three.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Factors {
+    /// Number of quadratics.
+    pub count: usize,
+    /// Their p.
+    pub p: [f64; 3],
+    /// Their q.
+    pub q: [f64; 3],
+}
+
+/// What a refinement of [`Factors`] came to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Refined {
+    /// Iterations done.
+    pub iterations: usize,
+    /// Resultant of the quadratic with the greatest root and the product of the others: small where roots meet.
+    pub separation: f64,
+}
+
+/// Newton's iterations granted; where they do not suffice the roots are found anew.
+const ITERATIONS: usize = 12;
+/// Change of the factors, relative to 1 + their size, below which the next one is below rounding.
+const SETTLED: f64 = 1e-8;
+
+impl Factors {
+    /// The factors with the roots exp(lambda T) where the lambda are the roots of these.
+    #[must_use]
+    pub fn propagated(&self, period: f64) -> Self {
+        let mut after = *self;
+        for i in 0..self.count {
+            let (half, square) = (0.5 * self.p[i], 0.25 * self.p[i] * self.p[i] - self.q[i]);
+            after.q[i] = (-2.0 * half * period).exp();
+            after.p[i] = if square < 0.0 {
+                -2.0 * (-half * period).exp() * ((-square).sqrt() * period).cos()
+            } else {
+                let root = square.sqrt();
+                -((root - half) * period).exp() - ((-root - half) * period).exp()
+            };
+        }
+        after
+    }
+
+    /// From all the roots of a polynomial.
+    ///
+    /// # Errors
+    /// As [`Characteristic::roots`].
+    pub fn find(of: &Characteristic) -> Result<Self, NumericsError> {
+        let spectrum = of.roots()?;
+        let mut factors = Self { count: of.degree / 2, p: [0.0; 3], q: [0.0; 3] };
+        // Largest first; of a pair the conjugates are neighbours, real roots are taken two by two.
+        let mut filled = 0;
+        let mut waiting: Option<f64> = None;
+        for index in 0..6 {
+            let (re, im) = (spectrum.re[index], spectrum.im[index]);
+            if filled == factors.count || im < 0.0 {
+                continue;
+            }
+            if im > 0.0 {
+                (factors.p[filled], factors.q[filled]) = (-2.0 * re, re * re + im * im);
+                filled += 1;
+            } else if let Some(other) = waiting.take() {
+                (factors.p[filled], factors.q[filled]) = (-(re + other), re * other);
+                filled += 1;
+            } else {
+                waiting = Some(re);
+            }
+        }
+        Ok(factors)
+    }
+
+    /// Newton's method for the factors of `of`, started from these; `None` where it does not settle, and these are
+    /// then of no use.
+    ///
+    /// Each correction is the remainder of the polynomial by a factor, divided by the product of the others modulo
+    /// that factor: Newton's method for the coefficients of the product (the form of Durand and Kerner's iteration for
+    /// quadratic factors).
+    pub fn refine(&mut self, of: &Characteristic) -> Option<Refined> {
+        if self.count == 2 { self.refine_by::<2>(of) } else { self.refine_by::<3>(of) }
+    }
+
+    fn refine_by<const N: usize>(&mut self, of: &Characteristic) -> Option<Refined> {
+        let c = &of.coefficients;
+        let mut p: [f64; N] = std::array::from_fn(|i| self.p[i]);
+        let mut q: [f64; N] = std::array::from_fn(|i| self.q[i]);
+        let mut resultants = [0.0; N];
+        for iteration in 1..=ITERATIONS {
+            let mut change = 0.0_f64;
+            let (p_before, q_before) = (p, q);
+            for i in 0..N {
+                let (p_i, q_i) = (p_before[i], q_before[i]);
+                // Synthetic division by the factor: the remainder is b (lambda + p) + b_next.
+                let (mut before, mut now) = (1.0, c[0] - p_i);
+                for k in 1..2 * N - 1 {
+                    (before, now) = (now, c[k] - p_i * now - q_i * before);
+                }
+                let last = c[2 * N - 1] - p_i * now - q_i * before;
+                let (r_1, r_0) = (now, last + p_i * now);
+                // The product of the others modulo this factor, h lambda + g.
+                let (mut h, mut g) = (0.0, 1.0);
+                for j in 0..N {
+                    if j != i {
+                        let (h_j, g_j) = (p_before[j] - p_i, q_before[j] - q_i);
+                        let square = h * h_j;
+                        (h, g) = (h * g_j + g * h_j - p_i * square, g * g_j - q_i * square);
+                    }
+                }
+                let g_minus = g - h * p_i;
+                let resultant = g * g_minus + h * h * q_i;
+                let inverse = 1.0 / resultant;
+                let (delta, epsilon) =
+                    ((r_1 * g - h * r_0) * inverse, (g_minus * r_0 + h * q_i * r_1) * inverse);
+                resultants[i] = resultant;
+                p[i] = p_i + delta;
+                q[i] = q_i + epsilon;
+                change = change.max((delta.abs() + epsilon.abs()) / (1.0 + p_i.abs() + q_i.abs()));
+            }
+            if !(change < 1e3) {
+                return None;
+            }
+            if change < SETTLED {
+                self.p[..N].copy_from_slice(&p);
+                self.q[..N].copy_from_slice(&q);
+                let top = self.top();
+                return Some(Refined { iterations: iteration, separation: resultants[top] });
+            }
+        }
+        None
+    }
+
+    /// Modulus of the greatest root of one quadratic.
+    fn radius_of(&self, index: usize) -> f64 {
+        let (half, q) = (0.5 * self.p[index], self.q[index]);
+        let square = half * half - q;
+        if square < 0.0 { q.sqrt() } else { half.abs() + square.sqrt() }
+    }
+
+    /// Index of the quadratic that has the greatest root.
+    pub fn top(&self) -> usize {
+        (1..self.count).fold(0, |best, i| if self.radius_of(i) > self.radius_of(best) { i } else { best })
+    }
+
+    /// Modulus of the greatest root.
+    pub fn radius(&self) -> f64 {
+        self.radius_of(self.top())
+    }
+}

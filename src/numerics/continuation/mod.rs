@@ -1,0 +1,3 @@
+//! Curves of solutions followed through their folds.
+
+pub mod two_parameter;

@@ -1,0 +1,251 @@
+//! Linear systems of second order under a pulsating stiffness of rank one, over half a period of it.
+//!
+//! ```text
+//! x'' + C x' + K(t) x = 0,   C = diag(d) + z b b^T,   K = diag(s) + (1 + k0 cos Omega t) b b^T
+//! ```
+//!
+//! Both matrices are symmetric and the stiffness is even about half a period, so that the monodromy is
+//! M = S^-1 P^T S P with P = Phi(T/2) and S = [[C, I], [I, 0]], damped or not. P comes from Taylor series of order
+//! [`ORDER`] in equal steps; of the products of series only that of the scalar u = b.x with the cosine is needed.
+
+use super::characteristic::Characteristic;
+use crate::error::NumericsError;
+use std::f64::consts::PI;
+
+/// Order of the Taylor series.
+const ORDER: usize = 24;
+/// Greatest step, over the reciprocal of the fastest rate. A term of the series is then at most about
+/// 3.2^24/24! = 2e-12 of the state were all of the motion at that rate; seen are errors near 1e-14.
+const REACH: f64 = 3.2;
+/// Terms of the cosine's series below this are left out.
+const NEGLIGIBLE: f64 = 1e-18;
+/// Bound of the last terms of a step relative to the state; where they are greater, the steps are halved.
+const LAST_TERMS: f64 = 1e-13;
+
+/// The system: N coordinates, 2 N = L initial values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parametric<const N: usize, const L: usize> {
+    /// The diagonal s of the stiffness.
+    pub stiffness: [f64; N],
+    /// The diagonal d of the damping.
+    pub damping: [f64; N],
+    /// The vector b.
+    pub coupling: [f64; N],
+    /// The factor z of the damping's part of rank one.
+    pub mutual_damping: f64,
+}
+
+impl<const N: usize, const L: usize> Parametric<N, L> {
+    /// The trace of C: the logarithm of det M is minus this times the period.
+    pub fn damping_trace(&self) -> f64 {
+        self.damping.iter().sum::<f64>() + self.mutual_damping * self.coupling_square()
+    }
+
+    fn coupling_square(&self) -> f64 {
+        self.coupling.iter().map(|b| b * b).sum()
+    }
+
+    /// A bound of the rate at which solutions change at this depth k0 of the pulsation.
+    fn fastest(&self, depth: f64) -> f64 {
+        let greatest = |values: &[f64; N]| values.iter().fold(0.0_f64, |most, value| most.max(*value));
+        let square = self.coupling_square();
+        let decay = 0.5 * (greatest(&self.damping) + self.mutual_damping * square);
+        let stiffness = greatest(&self.stiffness) + (1.0 + depth.abs()) * square;
+        decay + (decay * decay + stiffness).sqrt()
+    }
+
+    /// Steps over half a period; a number that may be too great to be carried out.
+    pub fn steps(&self, depth: f64, omega: f64) -> f64 {
+        ((self.fastest(depth) + omega) * PI / (omega * REACH)).ceil()
+    }
+
+    /// The matrix Phi(T/2) by rows, the coordinates before their rates, in this number of steps; and the greatest of
+    /// the last terms of the series, relative to the state.
+    fn half(&self, depth: f64, omega: f64, steps: usize) -> ([[f64; L]; L], f64) {
+        let h = PI / (omega * steps as f64);
+        let (mut x, mut w) = ([[0.0; L]; N], [[0.0; L]; N]);
+        for i in 0..N {
+            x[i][i] = 1.0;
+            w[i][N + i] = h;
+        }
+        let mut cosine = [0.0; ORDER];
+        let mut terms = ORDER;
+        let mut term = h * h * depth;
+        for (n, value) in cosine.iter_mut().enumerate() {
+            *value = term;
+            if term.abs() < NEGLIGIBLE * h * h {
+                terms = n.max(1);
+                break;
+            }
+            term *= omega * h / (n + 1) as f64;
+        }
+        let reciprocal: [f64; ORDER] = std::array::from_fn(|n| 1.0 / (n + 1) as f64);
+        let mut last = 0.0_f64;
+        for step in 0..steps {
+            let (sine, cos) = (PI * step as f64 / steps as f64).sin_cos();
+            let mut pulsation = [0.0; ORDER];
+            for n in 0..terms {
+                pulsation[n] = cosine[n] * [cos, -sine, -cos, sine][n % 4];
+            }
+            last = last.max(self.step(h, &pulsation[..terms], &reciprocal, &mut x, &mut w));
+        }
+        let mut half = [[0.0; L]; L];
+        for i in 0..N {
+            half[i] = x[i];
+            half[N + i] = w[i].map(|value| value / h);
+        }
+        (half, last)
+    }
+
+    /// One step of length h of the coordinates x and of w = h x', all columns at once. With X_n, W_n their
+    /// coefficients times h^n and U = b.X:
+    /// X_{n+1} = W_n/(n+1), W_{n+1} = -(h d W_n + h^2 s X_n + b (h z b.W_n + h^2 U_n + sum kappa_j U_{n-j}))/(n+1).
+    fn step(
+        &self,
+        h: f64,
+        pulsation: &[f64],
+        reciprocal: &[f64; ORDER],
+        x: &mut [[f64; L]; N],
+        w: &mut [[f64; L]; N],
+    ) -> f64 {
+        let damping = self.damping.map(|d| h * d);
+        let stiffness = self.stiffness.map(|s| h * h * s);
+        let (mutual, mean) = (h * self.mutual_damping, h * h);
+        let (mut x_n, mut w_n) = (*x, *w);
+        let mut u = [[0.0; L]; ORDER];
+        let mut rate = [0.0; L];
+        for i in 0..N {
+            for lane in 0..L {
+                u[0][lane] += self.coupling[i] * x_n[i][lane];
+                rate[lane] += self.coupling[i] * w_n[i][lane];
+            }
+        }
+        for n in 0..ORDER {
+            let mut force = [0.0; L];
+            for lane in 0..L {
+                force[lane] = mutual * rate[lane] + mean * u[n][lane];
+            }
+            let first = (n + 1).saturating_sub(pulsation.len());
+            for (row, kappa) in u[first..=n].iter().zip(pulsation[..=n - first].iter().rev()) {
+                for lane in 0..L {
+                    force[lane] += kappa * row[lane];
+                }
+            }
+            let part = reciprocal[n];
+            if n + 1 < ORDER {
+                for lane in 0..L {
+                    u[n + 1][lane] = rate[lane] * part;
+                }
+            }
+            rate = [0.0; L];
+            for i in 0..N {
+                for lane in 0..L {
+                    let acceleration = damping[i] * w_n[i][lane]
+                        + stiffness[i] * x_n[i][lane]
+                        + self.coupling[i] * force[lane];
+                    x_n[i][lane] = w_n[i][lane] * part;
+                    w_n[i][lane] = -acceleration * part;
+                    x[i][lane] += x_n[i][lane];
+                    w[i][lane] += w_n[i][lane];
+                    rate[lane] += self.coupling[i] * w_n[i][lane];
+                }
+            }
+        }
+        let largest =
+            |rows: &[[f64; L]; N]| rows.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+        (largest(&x_n) + largest(&w_n)) / (largest(x) + largest(w)).max(f64::MIN_POSITIVE)
+    }
+
+    /// M = S^-1 P^T S P from P = Phi(T/2).
+    fn from_half(&self, half: &[[f64; L]; L]) -> [[f64; L]; L] {
+        let damped = |rows: [&[f64; L]; N]| -> [[f64; L]; N] {
+            let mut common = [0.0; L];
+            for i in 0..N {
+                for lane in 0..L {
+                    common[lane] += self.coupling[i] * rows[i][lane];
+                }
+            }
+            std::array::from_fn(|i| {
+                std::array::from_fn(|lane| {
+                    self.damping[i] * rows[i][lane] + self.mutual_damping * self.coupling[i] * common[lane]
+                })
+            })
+        };
+        // S P: the upper rows are C P_upper + P_lower, the lower ones P_upper.
+        let mut s_p = [[0.0; L]; L];
+        let upper = damped(std::array::from_fn(|i| &half[i]));
+        for i in 0..N {
+            for lane in 0..L {
+                s_p[i][lane] = upper[i][lane] + half[N + i][lane];
+            }
+            s_p[N + i] = half[i];
+        }
+        let mut product = [[0.0; L]; L];
+        for inner in 0..L {
+            for row in 0..L {
+                for lane in 0..L {
+                    product[row][lane] += half[inner][row] * s_p[inner][lane];
+                }
+            }
+        }
+        // S^-1 = [[0, I], [I, -C]].
+        let mut monodromy = [[0.0; L]; L];
+        let lower = damped(std::array::from_fn(|i| &product[N + i]));
+        for i in 0..N {
+            monodromy[i] = product[N + i];
+            for lane in 0..L {
+                monodromy[N + i][lane] = product[i][lane] - lower[i][lane];
+            }
+        }
+        monodromy
+    }
+
+    /// The monodromy matrix at this depth and frequency of the pulsation, by rows; `most` is the greatest number of
+    /// steps that may be taken, `refinement` multiplies the number that is.
+    ///
+    /// # Errors
+    /// [`NumericsError::TooManySteps`], [`NumericsError::NotFinite`] where the solutions outgrow the numbers.
+    pub fn monodromy(
+        &self,
+        depth: f64,
+        omega: f64,
+        most: usize,
+        refinement: f64,
+    ) -> Result<[[f64; L]; L], NumericsError> {
+        let mut steps = (self.steps(depth, omega) * refinement).ceil();
+        loop {
+            if !(steps <= most as f64) {
+                return Err(NumericsError::TooManySteps { time: 0.0, steps: most });
+            }
+            let (half, last) = self.half(depth, omega, steps as usize);
+            if half.iter().flatten().any(|value| !value.is_finite()) {
+                return Err(NumericsError::NotFinite { time: PI / omega });
+            }
+            if last <= LAST_TERMS {
+                return Ok(self.from_half(&half));
+            }
+            steps *= 2.0;
+        }
+    }
+
+    /// The characteristic polynomial of the monodromy matrix.
+    ///
+    /// # Errors
+    /// As [`Parametric::monodromy`].
+    pub fn characteristic(
+        &self,
+        depth: f64,
+        omega: f64,
+        most: usize,
+        refinement: f64,
+    ) -> Result<Characteristic, NumericsError> {
+        let monodromy = self.monodromy(depth, omega, most, refinement)?;
+        let determinant = (-2.0 * PI / omega * self.damping_trace()).exp();
+        let characteristic = Characteristic::of(&monodromy, determinant);
+        if characteristic.coefficients.iter().all(|value| value.is_finite()) {
+            Ok(characteristic)
+        } else {
+            Err(NumericsError::NotFinite { time: 2.0 * PI / omega })
+        }
+    }
+}
