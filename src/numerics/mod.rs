@@ -1,7 +1,12 @@
 //! Algorithms that know no gears: integrators, roots, Floquet theory, periodic orbits.
 
+pub mod birkhoff;
+pub mod elimination;
 pub mod floquet;
+pub mod lyapunov;
 pub mod newton;
 pub mod ode;
 pub mod periodic;
 pub mod roots;
+pub mod spectrum;
+pub mod torus;

@@ -1,12 +1,18 @@
 //! Questions asked of the model, answered in plain columns.
 
 pub mod benchmark;
+pub mod contact;
 pub mod grid;
+pub mod lyapunov;
 pub mod motion;
 pub mod multipliers;
 pub mod orbit;
 pub mod poincare;
+pub mod settling;
+pub mod spectrum;
+pub mod sweep;
 pub mod time_response;
+pub mod torus;
 
 /// What is known of the error of an answer; each as it applies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

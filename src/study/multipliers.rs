@@ -122,6 +122,11 @@ impl Default for Budget {
 }
 
 impl Budget {
+    /// A budget of so many steps.
+    pub fn of(steps: usize) -> Self {
+        Self { left: Cell::new(steps) }
+    }
+
     /// Steps that are left.
     pub fn left(&self) -> usize {
         self.left.get()
