@@ -38,7 +38,7 @@ fn tori_agree_with_the_reference_and_with_their_own_averages() {
 fn where_there_is_no_torus_it_says_what_there_is() {
     match torus(&at(1.65), 1e-9) {
         Err(StudyError::NotFound { sought: "torus", found }) => {
-            assert!(found.contains("period 2 T"), "{found}")
+            assert!(found.contains("period 2 T"), "{found}");
         }
         other => panic!("{other:?}"),
     }

@@ -1,6 +1,7 @@
 //! Algorithms that know no gears: integrators, roots, Floquet theory, periodic orbits.
 
 pub mod birkhoff;
+pub mod contraction;
 pub mod elimination;
 pub mod floquet;
 pub mod lyapunov;

@@ -1,5 +1,6 @@
 //! Questions asked of the model, answered in plain columns.
 
+pub mod basin;
 pub mod benchmark;
 pub mod contact;
 pub mod grid;

@@ -11,7 +11,7 @@ pub const LONGEST: usize = 8;
 /// Two points of the map this near, relative to 1 + the largest coordinate: an orbit is looked for there.
 const RETURNING: f64 = 1e-4;
 /// An orbit this far, relative, from the point where it was looked for is another one.
-const ELSEWHERE: f64 = 0.02;
+pub(crate) const ELSEWHERE: f64 = 0.02;
 
 /// Size of a state: 1 + its largest coordinate.
 pub(crate) fn size(state: &[f64; 6]) -> f64 {
@@ -26,16 +26,18 @@ pub(crate) fn returning(states: &[[f64; 6]]) -> Option<usize> {
         .find(|&period| largest_difference(last, &earlier[earlier.len() - period]) < near)
 }
 
-/// The stable orbit of this period next to a state, if there is one.
+/// The stable orbit of this period that passes a state within `reach`, relative to 1 + its largest coordinate, if there
+/// is one.
 pub(crate) fn stable_orbit(
     p: &Parameters,
     state: [f64; 6],
     period: usize,
+    reach: f64,
     tolerance: f64,
 ) -> Option<PeriodicOrbit> {
     let options = OrbitOptions { period, guess: Some(state), tolerance };
     let orbit = periodic_orbit(p, &options).ok()?;
-    let near = ELSEWHERE * size(&state);
+    let near = reach * size(&state);
     let mut points = Strobe::new(p, orbit.state, tolerance).ok()?;
     for _ in 0..orbit.period {
         if largest_difference(&points.state(), &state) < near {
@@ -87,7 +89,7 @@ pub(crate) fn settle(
             continue;
         }
         let Some(period) = returning(&recent) else { continue };
-        if let Some(orbit) = stable_orbit(p, state, period, tolerance) {
+        if let Some(orbit) = stable_orbit(p, state, period, ELSEWHERE, tolerance) {
             return Ok(End::Orbit(Box::new(orbit)));
         }
         // A slow passage by something unstable looks like a return: wait longer before the next search.

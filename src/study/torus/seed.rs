@@ -116,7 +116,7 @@ fn settle<'a>(
                 && let Some(period) = returning(&states)
             {
                 searches += 1;
-                if let Some(orbit) = stable_orbit(p, state, period, tolerance) {
+                if let Some(orbit) = stable_orbit(p, state, period, settling::ELSEWHERE, tolerance) {
                     return Ok(Err(format!("the motion settles on an orbit of period {} T", orbit.period)));
                 }
             }
