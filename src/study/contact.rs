@@ -4,28 +4,42 @@
 //! All of it is asked of the `contact` regime, whose teeth never part: its response is the true one as long as its
 //! margin is not negative. The response meant is the one that follows from a large mean load F as this is taken away.
 
+use std::cell::RefCell;
+
 use super::ErrorEstimate;
+use super::grid::Grid;
 use super::motion::{self, ORDER_16};
 use super::multipliers::{Budget, common_period, image, is_stable, trivial_state, unloaded};
 use super::orbit::{self, OrbitOptions};
+use super::sweep::at_frequency;
 use super::time_response::largest_difference;
 use crate::error::{NumericsError, StudyError};
 use crate::model::equations::{GearPair, U};
 use crate::model::parameters::{Parameters, Regime};
+use crate::numerics::elimination::Factors;
 use crate::numerics::floquet;
-use crate::numerics::newton;
 use crate::numerics::ode::taylor::Options;
-use crate::numerics::periodic::{fixed_point, matrix};
+use crate::numerics::periodic::matrix;
 use crate::numerics::roots::{self, bracketed_root};
 
+/// Most integration steps of one answer: a second or two.
+const MOST_STEPS: usize = 400_000;
 /// Greatest mean load that is tried, the end of its range.
 const GREATEST: f64 = 1e3;
 /// Shares of the load that a softening support can carry at rest, from which the response is followed.
-const SHARES: [f64; 3] = [0.9, 0.7, 0.5];
+const SHARES: [f64; 5] = [0.5, 0.25, 0.12, 0.06, 0.03];
+/// Steps that the search for a response at one of these loads may take.
+const SHARE_STEPS: usize = 40_000;
+/// Ratio of a load to the last one on the way up.
+const CLIMB: f64 = 1.2;
+/// The same where the end of the response is near, at least.
+const SLOWEST_CLIMB: f64 = 1.005;
+/// Greatest number of times that the map is applied in search of one response.
+const ITERATIONS: usize = 30;
 /// Ratio of a load to the next one tried on the way down.
-const RATIO: f64 = 0.8;
+const RATIO: f64 = 0.75;
 /// Loads below this part of the first one are passed in one step to none.
-const SMALL: f64 = 1e-4;
+const SMALL: f64 = 1e-3;
 
 /// The contact margin of the steady response.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,27 +119,84 @@ struct Responses<'a> {
     period: usize,
     tolerance: f64,
     budget: &'a Budget,
+    /// The derivative of the last search, factored.
+    factors: RefCell<Option<Factors>>,
 }
 
 impl<'a> Responses<'a> {
     fn new(p: &Parameters, tolerance: f64, budget: &'a Budget) -> Result<Self, StudyError> {
         let parameters = Parameters { regime: Regime::Contact, ..*p };
-        Ok(Self { parameters, period: common_period(p)?, tolerance, budget })
+        Ok(Self { parameters, period: common_period(p)?, tolerance, budget, factors: RefCell::new(None) })
     }
 
     fn under(&self, load: f64) -> Parameters {
         Parameters { load, ..self.parameters }
     }
 
-    /// The response near a state.
+    /// The response near a state, by Newton's method; the derivative of the map, which costs ten times the map itself, is
+    /// renewed only where the last one, perhaps that of another load, no longer serves.
     fn near(&self, load: f64, guess: [f64; 6]) -> Result<Point, NumericsError> {
         let pair = GearPair::new(&self.under(load));
-        let bounds = newton::Options { tolerance: self.tolerance, ..newton::Options::default() };
-        let solution = fixed_point(guess, bounds, |state| {
-            image(&pair, state, self.period, self.tolerance, 1.0, self.budget)
-        })?;
-        let (margin, at) = self.margin(&pair, solution.point, 1.0)?;
-        Ok(Point { load, state: solution.point, residual: solution.residual, margin, at })
+        let mut factors = self.factors.borrow_mut();
+        let (mut state, mut last) = (guess, f64::INFINITY);
+        let mut best = (f64::INFINITY, guess);
+        let mut fresh = false;
+        for _ in 0..ITERATIONS {
+            let mut step: [f64; 6] = self.apply(&pair, &state)?;
+            for (value, from) in step.iter_mut().zip(state) {
+                *value -= from;
+            }
+            let residual = largest(&step);
+            let gained = residual < 0.1 * last;
+            if residual < best.0 {
+                best = (residual, state);
+            }
+            let within = 0.1 * self.tolerance * (1.0 + largest(&state));
+            if best.0 <= within && (!gained || best.0 <= 1e-3 * within) {
+                break;
+            }
+            if factors.is_none() || residual > 0.3 * last {
+                if fresh && residual > last {
+                    break;
+                }
+                let (_, rows) = image(&pair, &state, self.period, self.tolerance, 1.0, self.budget)?;
+                let matrix =
+                    (0..36).map(|at| rows[at / 6][at % 6] - f64::from(u8::from(at % 7 == 0))).collect();
+                *factors = Some(Factors::new(6, matrix)?);
+                fresh = true;
+            } else {
+                fresh = false;
+            }
+            last = residual;
+            if let Some(factors) = factors.as_ref() {
+                factors.solve(&mut step);
+            }
+            for (value, step) in state.iter_mut().zip(step) {
+                *value -= step;
+            }
+        }
+        let (residual, state) = best;
+        if !(residual <= self.tolerance * (1.0 + largest(&state))) {
+            *factors = None;
+            return Err(NumericsError::NoConvergence {
+                iterations: ITERATIONS,
+                residual,
+                tolerance: self.tolerance,
+            });
+        }
+        let (margin, at) = self.margin(&pair, state, 1.0)?;
+        Ok(Point { load, state, residual, margin, at })
+    }
+
+    /// The state a period later.
+    fn apply(&self, pair: &GearPair, state: &[f64; 6]) -> Result<[f64; 6], NumericsError> {
+        if self.budget.left() == 0 {
+            return Err(NumericsError::TooManySteps { time: 0.0, steps: 0 });
+        }
+        let end = self.period as f64 * pair.parameters.mesh_period();
+        let reached = motion::carry(pair, 0.0, *state, end, self.tolerance)?;
+        self.budget.spend(reached.steps);
+        reached.escaped.map_or(Ok(reached.state), |time| Err(NumericsError::Escaped { time }))
     }
 
     /// min u - 1 over a period, and when.
@@ -171,7 +242,7 @@ impl<'a> Responses<'a> {
                 Err(error @ NumericsError::TooManySteps { .. }) => return Err(error),
                 failed => {
                     step *= 0.5;
-                    if step.abs() < whole.abs() / 1024.0 {
+                    if step.abs() < whole.abs() / 64.0 {
                         return Err(failed.err().unwrap_or(NumericsError::NoConvergence {
                             iterations: 0,
                             residual: at.residual,
@@ -191,8 +262,10 @@ impl<'a> Responses<'a> {
             return Ok(self.near(load, trivial_state(&p))?);
         }
         let options = OrbitOptions { period: self.period, guess: None, tolerance: self.tolerance };
-        let orbit = orbit::response(&p, self.period, &options, self.budget)?;
-        Ok(self.near(load, orbit.state)?)
+        let budget = Budget::of(SHARE_STEPS.min(self.budget.left()));
+        let orbit = orbit::response(&p, self.period, &options, &budget);
+        self.budget.spend(SHARE_STEPS.saturating_sub(budget.left()).min(self.budget.left()));
+        Ok(self.near(load, orbit?.state)?)
     }
 
     /// A response at a large load, in contact if there is such a one.
@@ -224,7 +297,7 @@ impl<'a> Responses<'a> {
             return SHARES.iter().map(|share| (share * carried).min(GREATEST)).collect();
         }
         let others = p.load_p.abs() + p.load_g.abs() + p.omega * p.omega * p.error.abs();
-        [1.0, 10.0, 100.0].iter().map(|factor| (factor * (10.0 * others + 1.0)).min(GREATEST)).collect()
+        [1.0, 4.0, 0.25].iter().map(|factor| (factor * (10.0 * others + 1.0)).min(GREATEST)).collect()
     }
 
     fn stable(&self, point: &Point) -> Result<(bool, f64), StudyError> {
@@ -236,6 +309,10 @@ impl<'a> Responses<'a> {
         let liouville = floquet::liouville_residual(&monodromy, pair.trace() * length);
         Ok((is_stable(&spectrum, pair.trace(), 1e-9), liouville))
     }
+}
+
+fn largest(values: &[f64; 6]) -> f64 {
+    values.iter().fold(0.0, |most, value| most.max(value.abs()))
 }
 
 /// The greatest mean load at which both supports still have an equilibrium on their first branch: for a softening
@@ -280,7 +357,7 @@ pub fn contact_margin(
     tolerance: f64,
 ) -> Result<ContactMargin, StudyError> {
     motion::check_tolerance(tolerance)?;
-    let budget = Budget::default();
+    let budget = Budget::of(MOST_STEPS);
     let responses = Responses::new(p, tolerance, &budget)?;
     let (point, way) = if let Some(guess) = state {
         motion::check_state(&GearPair::new(&responses.parameters), &guess)?;
@@ -316,7 +393,7 @@ pub fn contact_margin(
 /// [`StudyError::Numerics`] where the work allowed does not suffice.
 pub fn least_load(p: &Parameters, tolerance: f64) -> Result<LeastLoad, StudyError> {
     motion::check_tolerance(tolerance)?;
-    let budget = Budget::default();
+    let budget = Budget::of(MOST_STEPS);
     let responses = Responses::new(p, tolerance, &budget)?;
     let mut answer = LeastLoad {
         load: None,
@@ -337,7 +414,12 @@ pub fn least_load(p: &Parameters, tolerance: f64) -> Result<LeastLoad, StudyErro
             return Ok(answer);
         }
     };
-    let path = descend(&responses, large)?;
+    let mut path = descend(&responses, large)?;
+    let mut whole = false;
+    if path.iter().all(|point| point.margin < 0.0) {
+        path = climb(&responses, path)?;
+        whole = true;
+    }
     let Some(least) = least_in_contact(&responses, &path)? else {
         answer.reason = Some(NoLoad::Parted);
         return Ok(answer);
@@ -347,7 +429,12 @@ pub fn least_load(p: &Parameters, tolerance: f64) -> Result<LeastLoad, StudyErro
     if responses.stable(&least)?.0 {
         answer.limit = if least.load > 0.0 { Limit::Contact } else { Limit::None };
         (answer.load, answer.state) = (Some(least.load), Some(least.state));
-    } else if let Some(point) = least_stable(&responses, &path, &least)? {
+        return Ok(answer);
+    }
+    if !whole {
+        path = climb(&responses, path)?;
+    }
+    if let Some(point) = least_stable(&responses, &path, &least)? {
         answer.limit = Limit::Stability;
         (answer.load, answer.state) = (Some(point.load), Some(point.state));
     } else {
@@ -371,6 +458,31 @@ fn descend(responses: &Responses, large: Point) -> Result<Vec<Point>, StudyError
         path.push(at);
     }
     Ok(path)
+}
+
+/// The same path, continued upwards to where the response ends.
+fn climb(responses: &Responses, path: Vec<Point>) -> Result<Vec<Point>, StudyError> {
+    let most = carried_at_rest(&responses.parameters).min(GREATEST);
+    let Some(mut at) = path.first().copied() else { return Ok(path) };
+    let mut before = path.get(1).copied();
+    let mut upwards = Vec::new();
+    let mut growth = CLIMB;
+    while at.load < most && growth > SLOWEST_CLIMB {
+        match responses.walk(at, before, (growth * at.load).min(most)) {
+            Ok(point) => {
+                before = Some(at);
+                at = point;
+                upwards.push(at);
+            }
+            Err(error @ NumericsError::TooManySteps { .. }) if upwards.is_empty() => return Err(error.into()),
+            Err(NumericsError::TooManySteps { .. }) => break,
+            // The end is near: on in smaller steps.
+            Err(_) => growth = 1.0 + 0.3 * (growth - 1.0),
+        }
+    }
+    upwards.reverse();
+    upwards.extend(path);
+    Ok(upwards)
 }
 
 /// The least load of the path at which the margin is not negative.
@@ -457,4 +569,85 @@ fn between(
         (Ok(load), None) if load == best.load => Ok(Some(best)),
         (Ok(load), None) => Ok(Some(responses.near(load, best.state)?)),
     }
+}
+
+/// The least load over the mesh frequency.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LeastLoadCurve {
+    /// Mesh frequencies done so far.
+    pub omega: Vec<f64>,
+    /// The least load at each: [`LeastLoad::load`].
+    pub load: Vec<Option<f64>>,
+    /// The same whether the response is stable or not: [`LeastLoad::contact_load`].
+    pub contact_load: Vec<Option<f64>>,
+    /// Why there is none: [`LeastLoad::reason`]. A search that took too much work counts as no response.
+    pub reason: Vec<Option<NoLoad>>,
+    /// How it was computed.
+    pub method: String,
+    /// What is known of the error: `residual`, the greatest margin at the loads of `contact_load` that are above 0.
+    pub error: ErrorEstimate,
+}
+
+/// The curve in the making, frequency by frequency.
+#[derive(Clone, Debug)]
+pub struct LeastLoadWork {
+    parameters: Parameters,
+    omega: Grid,
+    tolerance: f64,
+    curve: LeastLoadCurve,
+}
+
+impl LeastLoadWork {
+    /// Prepares the curve. The loads' frequencies keep their ratio to the mesh frequency.
+    ///
+    /// # Errors
+    /// [`StudyError::Option`] for a tolerance out of range, [`StudyError::Model`] for an incommensurate load.
+    pub fn new(p: &Parameters, omega: Grid, tolerance: f64) -> Result<Self, StudyError> {
+        motion::check_tolerance(tolerance)?;
+        common_period(p)?;
+        Ok(Self { parameters: *p, omega, tolerance, curve: LeastLoadCurve::default() })
+    }
+
+    /// Does the next frequency; true when all are done.
+    ///
+    /// # Errors
+    /// [`StudyError`] where the question itself is refused; a frequency whose search fails has no load instead.
+    pub fn advance(&mut self) -> Result<bool, StudyError> {
+        let index = self.curve.omega.len();
+        if index >= self.omega.count {
+            return Ok(true);
+        }
+        let omega = self.omega.value(index);
+        let (load, contact_load, reason) =
+            match least_load(&at_frequency(&self.parameters, omega), self.tolerance) {
+                Ok(least) => {
+                    let most = self.curve.error.residual.unwrap_or(0.0);
+                    self.curve.error.residual = Some(least.error.residual.unwrap_or(0.0).max(most));
+                    self.curve.method = least.method;
+                    (least.load, least.contact_load, least.reason)
+                }
+                Err(StudyError::Numerics(_)) => (None, None, Some(NoLoad::NoResponse)),
+                Err(error) => return Err(error),
+            };
+        self.curve.omega.push(omega);
+        self.curve.load.push(load);
+        self.curve.contact_load.push(contact_load);
+        self.curve.reason.push(reason);
+        Ok(index + 1 >= self.omega.count)
+    }
+
+    /// The curve so far.
+    pub fn curve(&self) -> &LeastLoadCurve {
+        &self.curve
+    }
+}
+
+/// The least load over the mesh frequency.
+///
+/// # Errors
+/// As [`LeastLoadWork`].
+pub fn least_load_curve(p: &Parameters, omega: Grid, tolerance: f64) -> Result<LeastLoadCurve, StudyError> {
+    let mut work = LeastLoadWork::new(p, omega, tolerance)?;
+    while !work.advance()? {}
+    Ok(work.curve)
 }

@@ -254,7 +254,7 @@ struct Known<'a> {
 
 /// Steps that one search may take: some seconds' work.
 fn budget() -> Budget {
-    Budget::of(8_000_000)
+    Budget::of(3_000_000)
 }
 
 /// The invariant circle at these parameters: the one that a motion from near rest or from the cycle of \[T8\] comes to,
@@ -305,15 +305,11 @@ fn from_neighbours<'a>(
         if linear.spectral_radius < 1.0 || linear.im[0].abs() < 1e-3 {
             continue;
         }
-        match seed::by_motion(&neighbour, tolerance, budget) {
-            Ok(known) => {
-                if let Some(known) = follow(p, known, p.omega)? {
-                    return Ok(Some(known));
-                }
-            }
-            Err(StudyError::NotFound { .. }) => (),
-            Err(error) => return Err(error),
-        }
+        return match seed::by_motion(&neighbour, tolerance, budget) {
+            Ok(known) => follow(p, known, p.omega),
+            Err(StudyError::NotFound { .. }) => Ok(None),
+            Err(error) => Err(error),
+        };
     }
     Ok(None)
 }
@@ -339,7 +335,7 @@ fn follow<'a>(p: &Parameters, from: Known<'a>, omega: f64) -> Result<Option<Know
             Err(StudyError::Numerics(NumericsError::TooManySteps { .. })) => return Ok(None),
             Err(_) => {
                 step *= 0.5;
-                if step.abs() < whole.abs() / 512.0 {
+                if step.abs() < whole.abs() / 100.0 {
                     return Ok(None);
                 }
             }

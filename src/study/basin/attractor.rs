@@ -18,10 +18,12 @@ const FIRST_TRY: usize = 24;
 const RETURNING: f64 = 0.1;
 /// Points kept of an attractor that never repeats.
 const POINTS: usize = 1024;
+/// A motion this near those points, relative to its size, for some periods in a row, has come to the attractor.
+const CLOSE: f64 = 0.03;
 /// Periods in a row that a motion must be near those points.
 const IN_A_ROW: usize = 6;
 /// Widest half-axis, relative to the orbit's size, of the least neighbourhood that is tried, and of the greatest.
-const NEIGHBOURHOOD: (f64, f64) = (1e-4, 4.0);
+const NEIGHBOURHOOD: (f64, f64) = (1e-3, 4.0);
 /// Tolerance of the orbits.
 const TOLERANCE: f64 = 1e-10;
 /// Two attractors nearer than this, relative to their size, are one.
@@ -182,7 +184,7 @@ pub(super) fn explore(
     let last = states[states.len() - 1];
     let points: Vec<[f64; 6]> = states[states.len() - POINTS..].to_vec();
     let attractor = Attractor { kind: AttractorKind::Torus, state: last, points, re: [0.0; 6], im: [0.0; 6] };
-    let spacing = spacing(&attractor.points).max(0.005 * size(&last));
+    let spacing = spacing(&attractor.points).max(CLOSE * size(&last));
     let add = |attractor: Attractor, known: &mut Vec<Known>| {
         // The last points are near an attractor known already: slowly arrived there.
         let tail = &attractor.points[POINTS - POINTS / 8..];
