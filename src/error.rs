@@ -158,6 +158,13 @@ pub enum StudyError {
         /// What is allowed, in words.
         allowed: String,
     },
+    /// What was asked for is not there; something else is.
+    NotFound {
+        /// What was looked for.
+        sought: &'static str,
+        /// What was found instead, in words.
+        found: String,
+    },
     /// The numerics failed.
     Numerics(NumericsError),
     /// The model refused.
@@ -284,6 +291,7 @@ impl fmt::Display for StudyError {
             Self::Option { option, given, allowed } => {
                 write!(f, "the option {option} must be {allowed}, but {given} was given")
             }
+            Self::NotFound { sought, found } => write!(f, "there is no {sought} to be found here: {found}"),
             Self::Numerics(error) => error.fmt(f),
             Self::Model(error) => error.fmt(f),
             Self::Theory(error) => error.fmt(f),

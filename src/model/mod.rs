@@ -3,6 +3,7 @@
 mod coefficients;
 pub mod equations;
 pub mod linear;
+pub mod manifold;
 pub mod parameters;
 pub mod physical;
 pub mod variational;

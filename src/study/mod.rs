@@ -1,18 +1,25 @@
 //! Questions asked of the model, answered in plain columns.
 
+pub mod basin;
 pub mod benchmark;
 pub mod chart_work;
+pub mod contact;
 pub mod edge_function;
 pub mod grid;
 pub mod linear_floquet;
+pub mod lyapunov;
 pub mod motion;
 pub mod multipliers;
 pub mod orbit;
 pub mod poincare;
+pub mod settling;
+pub mod spectrum;
 pub mod stability_chart;
+pub mod sweep;
 pub mod time_response;
 pub mod tongue;
 pub mod tongue_boundary;
+pub mod torus;
 
 /// What is known of the error of an answer; each as it applies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -315,6 +315,7 @@ impl From<StudyError> for WebError {
                 allowed: Allowed::Text(allowed),
                 message,
             },
+            StudyError::NotFound { .. } => plain("not-found", message),
             StudyError::Numerics(error) => error.into(),
             StudyError::Model(error) => error.into(),
             StudyError::Theory(error) => error.into(),

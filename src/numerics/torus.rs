@@ -1,0 +1,376 @@
+//! Invariant circles of a map: a closed curve x(theta) that the map carries onto itself by a turn,
+//! `P(x(theta)) = x(theta + rotation)`, by collocation at evenly spaced nodes of a Fourier series.
+//!
+//! Unknown are the curve at the nodes and the rotation; the nodes' images must lie on the curve, and one condition
+//! fixes where theta begins. The curve may be known to be its own mirror image, `x(theta + 1/2) = -x(theta)`: then it
+//! has odd harmonics only, and nodes on one half of it do. Source of the method: F. Schilder, H. M. Osinga, W. Vogt,
+//! Continuation of quasi-periodic invariant tori, SIAM Journal on Applied Dynamical Systems 4 (2005) 459-488, doi
+//! 10.1137/040611240, section 3; departure: by trigonometric interpolation instead of finite differences.
+
+use super::elimination::Factors;
+use crate::error::NumericsError;
+use std::f64::consts::{PI, TAU};
+
+/// A closed curve by its values at nodes, evenly spaced in theta.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Circle {
+    /// Coordinates of a point.
+    pub dimension: usize,
+    /// `x(theta + 1/2) = -x(theta)`; the nodes are then on the first half of the circle.
+    pub mirrored: bool,
+    /// The nodes, each of `dimension` numbers: an odd number of nodes, or, mirrored, an even one.
+    pub nodes: Vec<f64>,
+    /// Turns of theta at each application of the map.
+    pub rotation: f64,
+}
+
+/// What the map does to a point: its image, and, where asked for, the derivative by rows.
+pub type Map<'a> = dyn FnMut(&[f64], &mut [f64], Option<&mut [f64]>) -> Result<(), NumericsError> + 'a;
+
+/// Bounds of the search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Largest distance of a node's image from the curve at which the search may stop.
+    pub tolerance: f64,
+    /// Greatest number of times that all images are computed.
+    pub iterations: usize,
+}
+
+/// What the search came to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// The curve.
+    pub circle: Circle,
+    /// Largest distance of a node's image from the curve.
+    pub residual: f64,
+    /// Times that all images were computed.
+    pub iterations: usize,
+}
+
+/// The interpolating function that is 1 at theta = 0 and 0 at all other nodes of `count`, for functions of period 1
+/// (any count), or mirrored ones (an even count).
+pub fn cardinal(count: usize, mirrored: bool, theta: f64) -> f64 {
+    let n = count as f64;
+    let angle = if mirrored { TAU * theta } else { PI * theta };
+    let (sine, cosine) = angle.sin_cos();
+    if sine.abs() < 1e-9 {
+        // The limit: mirrored functions change sign from one half to the other.
+        return if mirrored && cosine < 0.0 { -1.0 } else { 1.0 };
+    }
+    let numerator = (n * angle).sin();
+    if !mirrored && count.is_multiple_of(2) {
+        numerator * cosine / (n * sine)
+    } else {
+        numerator / (n * sine)
+    }
+}
+
+/// Value and derivative by theta of [`cardinal`], as the sum of its harmonics; for an odd count, or mirrored.
+fn cardinal_and_slope(count: usize, mirrored: bool, theta: f64) -> (f64, f64) {
+    let (mut value, mut slope) = (if mirrored { 0.0 } else { 1.0 }, 0.0);
+    let harmonics = count / 2;
+    for index in 0..harmonics {
+        let harmonic = if mirrored { 2 * index + 1 } else { index + 1 } as f64;
+        let (sine, cosine) = (TAU * (harmonic * theta).fract()).sin_cos();
+        value += 2.0 * cosine;
+        slope -= 2.0 * TAU * harmonic * sine;
+    }
+    (value / count as f64, slope / count as f64)
+}
+
+impl Circle {
+    /// Number of nodes.
+    pub fn count(&self) -> usize {
+        self.nodes.len() / self.dimension
+    }
+
+    /// theta of a node.
+    pub fn theta(&self, node: usize) -> f64 {
+        node as f64 / (self.count() * if self.mirrored { 2 } else { 1 }) as f64
+    }
+
+    /// The point at theta.
+    pub fn point(&self, theta: f64) -> Vec<f64> {
+        let mut point = vec![0.0; self.dimension];
+        let theta = theta - theta.floor();
+        for (index, node) in self.nodes.chunks_exact(self.dimension).enumerate() {
+            let weight = cardinal(self.count(), self.mirrored, theta - self.theta(index));
+            for (sum, value) in point.iter_mut().zip(node) {
+                *sum += weight * value;
+            }
+        }
+        point
+    }
+
+    /// The same curve by another number of nodes.
+    #[must_use]
+    pub fn resampled(&self, count: usize) -> Self {
+        let mut other = Self { nodes: Vec::with_capacity(count * self.dimension), ..self.clone() };
+        let spacing = 1.0 / (count * if self.mirrored { 2 } else { 1 }) as f64;
+        for node in 0..count {
+            other.nodes.extend(self.point(node as f64 * spacing));
+        }
+        other
+    }
+
+    /// Largest coordinate of the nodes, at least the smallest positive number.
+    pub fn size(&self) -> f64 {
+        self.nodes.iter().fold(f64::MIN_POSITIVE, |most, value| most.max(value.abs()))
+    }
+
+    /// Largest distance of the image of a point halfway between nodes from the curve: how far the curve is from
+    /// invariant where nobody made it so. Every `stride`-th gap between nodes is looked at.
+    ///
+    /// # Errors
+    /// As the map.
+    pub fn defect(&self, map: &mut Map, stride: usize) -> Result<f64, NumericsError> {
+        let mut image = vec![0.0; self.dimension];
+        let mut most = 0.0_f64;
+        for node in (0..self.count()).step_by(stride.max(1)) {
+            let theta = 0.5 * (self.theta(node) + self.theta(node + 1));
+            map(&self.point(theta), &mut image, None)?;
+            let expected = self.point(theta + self.rotation);
+            for (found, wanted) in image.iter().zip(&expected) {
+                most = most.max((found - wanted).abs());
+            }
+        }
+        if most.is_finite() { Ok(most) } else { Err(NumericsError::NotFinite { time: 0.0 }) }
+    }
+
+    /// Interpolation weights, and their derivatives by the rotation, from the nodes to the nodes turned on: by the
+    /// difference of the two nodes' numbers, from `-(count - 1)` on.
+    fn turned(&self) -> Vec<(f64, f64)> {
+        let count = self.count();
+        (0..2 * count - 1)
+            .map(|index| {
+                let difference = index as f64 - (count - 1) as f64;
+                let theta = difference / (count * if self.mirrored { 2 } else { 1 }) as f64 + self.rotation;
+                cardinal_and_slope(count, self.mirrored, theta)
+            })
+            .collect()
+    }
+
+    /// The derivative of the curve by theta at the nodes.
+    fn slopes(&self) -> Vec<f64> {
+        let mut still = self.clone();
+        still.rotation = 0.0;
+        let turned = still.turned();
+        still.combine(&turned, |(_, slope)| slope)
+    }
+
+    /// The nodes' combinations with weights that depend on the difference of their numbers.
+    fn combine(&self, turned: &[(f64, f64)], pick: impl Fn((f64, f64)) -> f64) -> Vec<f64> {
+        let (count, dimension) = (self.count(), self.dimension);
+        let mut sums = vec![0.0; count * dimension];
+        for (j, sum) in sums.chunks_exact_mut(dimension).enumerate() {
+            for (i, node) in self.nodes.chunks_exact(dimension).enumerate() {
+                let weight = pick(turned[j + count - 1 - i]);
+                for (sum, value) in sum.iter_mut().zip(node) {
+                    *sum += weight * value;
+                }
+            }
+        }
+        sums
+    }
+
+    /// Makes the curve invariant by Newton's method, the derivative renewed only where the last one no longer serves.
+    ///
+    /// # Errors
+    /// [`NumericsError::NoConvergence`], [`NumericsError::Singular`], or as the map.
+    pub fn solve(mut self, options: Options, map: &mut Map) -> Result<Found, NumericsError> {
+        let begin = self.slopes();
+        let reference = self.nodes.clone();
+        let size = self.nodes.len();
+        let mut factors: Option<Factors> = None;
+        let mut last = f64::INFINITY;
+        let mut best: Option<(f64, Self)> = None;
+        for iteration in 1..=options.iterations {
+            let renew = factors.is_none();
+            let turned = self.turned();
+            let (mut right, rows) = self.equations(&turned, renew, map)?;
+            let residual = right.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+            if !residual.is_finite() {
+                return Err(NumericsError::NotFinite { time: 0.0 });
+            }
+            // Onwards past the tolerance as long as an iteration still gains a digit, which costs little.
+            let gained = residual < 0.1 * last;
+            if best.as_ref().is_none_or(|(least, _)| residual < *least) {
+                best = Some((residual, self.clone()));
+            }
+            if residual <= options.tolerance && (!gained || residual < 1e-3 * options.tolerance) {
+                break;
+            }
+            if !renew && residual > 0.2 * last {
+                // The old derivative does not serve here: the next iteration makes a new one at the better point.
+                factors = None;
+                if residual > last
+                    && let Some((_, better)) = &best
+                {
+                    self = better.clone();
+                }
+                last = f64::INFINITY;
+                continue;
+            }
+            if renew {
+                factors = Some(Factors::new(size + 1, self.bordered(&rows, &turned, &begin))?);
+            }
+            last = residual;
+            right.push(self.nodes.iter().zip(&reference).zip(&begin).map(|((x, y), d)| (x - y) * d).sum());
+            if let Some(factors) = &factors {
+                factors.solve(&mut right);
+            }
+            for (node, step) in self.nodes.iter_mut().zip(&right) {
+                *node -= step;
+            }
+            self.rotation -= right[size];
+            if iteration == options.iterations {
+                break;
+            }
+        }
+        match best {
+            Some((residual, circle)) if residual <= options.tolerance => {
+                Ok(Found { circle, residual, iterations: options.iterations })
+            }
+            best => Err(NumericsError::NoConvergence {
+                iterations: options.iterations,
+                residual: best.map_or(f64::INFINITY, |(residual, _)| residual),
+                tolerance: options.tolerance,
+            }),
+        }
+    }
+
+    /// The nodes' distances from invariance, and the map's derivatives where asked for.
+    fn equations(
+        &self,
+        turned: &[(f64, f64)],
+        derivatives: bool,
+        map: &mut Map,
+    ) -> Result<(Vec<f64>, Vec<f64>), NumericsError> {
+        let dimension = self.dimension;
+        let block = dimension * dimension;
+        let mut right = vec![0.0; self.nodes.len()];
+        let mut rows = vec![0.0; if derivatives { self.count() * block } else { 0 }];
+        for (index, (node, image)) in
+            self.nodes.chunks_exact(dimension).zip(right.chunks_exact_mut(dimension)).enumerate()
+        {
+            let rows = if derivatives { Some(&mut rows[index * block..(index + 1) * block]) } else { None };
+            map(node, image, rows)?;
+        }
+        let on_curve = self.combine(turned, |(value, _)| value);
+        for (image, expected) in right.iter_mut().zip(&on_curve) {
+            *image -= expected;
+        }
+        Ok((right, rows))
+    }
+
+    /// The matrix of the linearised equations with the condition on where theta begins as its last row.
+    fn bordered(&self, derivatives: &[f64], turned: &[(f64, f64)], begin: &[f64]) -> Vec<f64> {
+        let (count, dimension) = (self.count(), self.dimension);
+        let size = count * dimension + 1;
+        let mut matrix = vec![0.0; size * size];
+        let by_rotation = self.combine(turned, |(_, slope)| slope);
+        for j in 0..count {
+            for row in 0..dimension {
+                let entries = &mut matrix[(j * dimension + row) * size..(j * dimension + row + 1) * size];
+                for i in 0..count {
+                    entries[i * dimension + row] -= turned[j + count - 1 - i].0;
+                }
+                let from = (j * dimension + row) * dimension;
+                for column in 0..dimension {
+                    entries[j * dimension + column] += derivatives[from + column];
+                }
+                entries[size - 1] = -by_rotation[j * dimension + row];
+            }
+        }
+        matrix[(size - 1) * size..size * size - 1].copy_from_slice(begin);
+        matrix
+    }
+
+    /// The map's derivative at each node, by rows.
+    ///
+    /// # Errors
+    /// As the map.
+    pub fn derivatives(&self, map: &mut Map) -> Result<Vec<f64>, NumericsError> {
+        Ok(self.equations(&self.turned(), true, map)?.1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Images = Result<(), NumericsError>;
+
+    /// A map of the plane with a known attracting circle: turned by a known angle in polar coordinates about a centre,
+    /// seen through a bent coordinate. `odd` keeps the mirror image.
+    fn bent(odd: bool, rotation: f64) -> impl FnMut(&[f64], &mut [f64], Option<&mut [f64]>) -> Images {
+        move |x, image, derivative| {
+            let bend = |x: f64| if odd { 0.2 * x.powi(3) } else { 0.3 * x * x };
+            let apply = |x: &[f64]| {
+                let (a, b) = (x[0], x[1] - bend(x[0]));
+                let radius = a.hypot(b);
+                let scale = radius.powf(-0.5);
+                let (sine, cosine) = (TAU * rotation).sin_cos();
+                let (c, d) = ((a * cosine - b * sine) * scale, (a * sine + b * cosine) * scale);
+                [c, d + bend(c)]
+            };
+            image.copy_from_slice(&apply(x));
+            if let Some(rows) = derivative {
+                for column in 0..2 {
+                    let moved = |by: f64| {
+                        let mut moved = [x[0], x[1]];
+                        moved[column] += by;
+                        apply(&moved)
+                    };
+                    let (ahead, behind) = (moved(1e-5), moved(-1e-5));
+                    for row in 0..2 {
+                        rows[2 * row + column] = (ahead[row] - behind[row]) / 2e-5;
+                    }
+                }
+            }
+            Ok(())
+        }
+    }
+
+    fn seed(mirrored: bool, count: usize) -> Circle {
+        let turns = if mirrored { 2 * count } else { count };
+        let nodes = (0..count)
+            .flat_map(|n| {
+                let (sine, cosine) = (TAU * n as f64 / turns as f64).sin_cos();
+                [0.9 * cosine, 1.1 * sine]
+            })
+            .collect();
+        Circle { dimension: 2, mirrored, nodes, rotation: 0.21 }
+    }
+
+    #[test]
+    fn a_known_circle_and_its_rotation_are_found() {
+        for (mirrored, count) in [(false, 33), (true, 32)] {
+            let mut map = bent(mirrored, 0.2137);
+            let options = Options { tolerance: 1e-11, iterations: 40 };
+            let found = seed(mirrored, count).solve(options, &mut map).expect("converges");
+            assert!((found.circle.rotation - 0.2137).abs() < 1e-11, "{:?}", found.circle.rotation);
+            assert!(found.circle.defect(&mut map, 1).expect("maps") < 1e-10);
+            let finer = found.circle.resampled(2 * count + usize::from(!mirrored));
+            assert!(finer.defect(&mut map, 1).expect("maps") < 1e-10);
+        }
+    }
+
+    #[test]
+    fn interpolation_is_one_at_its_node_and_none_at_the_others() {
+        for (count, mirrored) in [(5, false), (6, false), (6, true)] {
+            let turns = if mirrored { 2 * count } else { count };
+            for node in 0..turns {
+                let value = cardinal(count, mirrored, node as f64 / turns as f64);
+                let expected = if node == 0 {
+                    1.0
+                } else if mirrored && node == count {
+                    -1.0
+                } else {
+                    0.0
+                };
+                assert!((value - expected).abs() < 1e-12, "{count} {mirrored} {node}: {value}");
+            }
+        }
+    }
+}

@@ -1,0 +1,450 @@
+//! Basins of attraction over a plane of starts: which start goes to which attractor, and which escapes.
+//!
+//! The attractors are looked for first, from a few starts spread over the plane, always the same ones, so that several
+//! workers who each do a share of the plane number them alike. A start is then followed until it is in a neighbourhood
+//! of an attracting orbit that its map is known to contract ([`crate::numerics::contraction`]), near the points of an
+//! attractor that never repeats, or beyond the bounds of escape. Cells are done from coarse to fine.
+
+use super::ErrorEstimate;
+use super::grid::Grid;
+use super::motion::{self, TOLERANCE};
+use super::multipliers::{common_period, trivial_state};
+use super::time_response::largest_difference;
+use crate::error::StudyError;
+use crate::model::equations::GearPair;
+use crate::model::parameters::{Parameters, Regime};
+
+mod attractor;
+use attractor::{Arrival, Known};
+pub use attractor::{Attractor, AttractorKind};
+
+/// The start escapes.
+pub const ESCAPED: i32 = -1;
+/// The start has not been done yet, or has come to no attractor within the periods given.
+pub const UNDECIDED: i32 = -2;
+
+/// Integration steps of one slice of work: some milliseconds.
+const SLICE: usize = 30_000;
+/// Integration steps of a whole share: half a minute. What is left then stays undecided.
+const MOST_STEPS: usize = 150_000_000;
+/// Starts along each axis from which attractors are looked for.
+const SEARCH: usize = 7;
+/// Integration steps of the search for attractors.
+const SEARCH_STEPS: usize = 4_000_000;
+/// Most cells.
+const MOST_CELLS: usize = 1 << 22;
+/// Widest distance of the cells done first.
+const COARSEST: usize = 16;
+
+/// What to compute.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BasinOptions {
+    /// Which coordinates of the state are the plane's: indices 0 to 5, two different ones.
+    pub plane: [usize; 2],
+    /// Values of the first.
+    pub x: Grid,
+    /// Values of the second.
+    pub y: Grid,
+    /// The other coordinates. Pinion and gear start opposed: a coordinate of the one in the plane gives the other's,
+    /// unless both are in it.
+    pub state: [f64; 6],
+    /// Periods after which a start that has come to no attractor is left undecided, 1 to 100,000.
+    pub periods: usize,
+    /// Tolerance of the states, 1e-14 to 1e-3: near the edges of the basins it decides.
+    pub tolerance: f64,
+    /// Which share of how many.
+    pub share: (usize, usize),
+}
+
+impl BasinOptions {
+    /// The plane of `u_p` and `u_p'` about the unloaded state, at most 600 periods, to 1e-6, all in one share.
+    pub fn new(p: &Parameters, x: Grid, y: Grid) -> Self {
+        Self { plane: [0, 3], x, y, state: trivial_state(p), periods: 600, tolerance: 1e-6, share: (0, 1) }
+    }
+}
+
+/// The picture so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Basin {
+    /// Index of the attractor of each cell, `i_y * n_x + i_x`; [`ESCAPED`], [`UNDECIDED`].
+    pub attractor: Vec<i32>,
+    /// At which of the orbit's points, in the order of [`Attractor::points`], the cell's motion is at t = 0, in the limit:
+    /// two cells of one attractor with different numbers come to the same orbit, some mesh periods apart.
+    pub phase: Vec<u8>,
+    /// The attractors.
+    pub attractors: Vec<Attractor>,
+    /// Cells of this share that have been done.
+    pub done: usize,
+    /// Cells of this share.
+    pub cells: usize,
+    /// How it was computed.
+    pub method: String,
+    /// What is known of the error: `step`, the change of a state over one period when the tolerance is a hundredth.
+    pub error: ErrorEstimate,
+}
+
+/// What remains to be done.
+#[derive(Clone, Debug, PartialEq)]
+enum Stage {
+    /// The next start of the search.
+    Search(usize),
+    /// The next cell of the order.
+    Cells(usize),
+    Done,
+}
+
+/// A start under way.
+#[derive(Clone, Debug, PartialEq)]
+struct Cell {
+    index: usize,
+    state: [f64; 6],
+    periods: usize,
+    arrival: Arrival,
+}
+
+/// Basins in the making.
+#[derive(Clone, Debug)]
+pub struct BasinWork {
+    pair: GearPair,
+    options: BasinOptions,
+    common: usize,
+    known: Vec<Known>,
+    stage: Stage,
+    /// The cells of this share, coarse to fine.
+    order: Vec<u32>,
+    cell: Option<Cell>,
+    /// Where the plane is its own mirror image under `u -> -u`: the attractor and the shift of phase that each attractor
+    /// and phase turns into.
+    mirror: Option<Vec<(i32, Vec<u8>)>>,
+    mirrored: bool,
+    steps: usize,
+    basin: Basin,
+}
+
+impl BasinWork {
+    /// Prepares the work.
+    ///
+    /// # Errors
+    /// [`StudyError::Option`] for an option out of range, [`StudyError::Model`] for an incommensurate load.
+    pub fn new(p: &Parameters, options: &BasinOptions) -> Result<Self, StudyError> {
+        motion::check_tolerance(options.tolerance)?;
+        check(options)?;
+        let common = common_period(p)?;
+        let pair = GearPair::new(p);
+        let cells = options.x.count * options.y.count;
+        let mirrored = is_mirrored(p, options);
+        let (share, shares) = options.share;
+        let order: Vec<u32> = coarse_to_fine(options.x.count, options.y.count)
+            .into_iter()
+            // Of two mirror images only the first is followed.
+            .filter(|&cell| !mirrored || (cell as usize) <= cells - 1 - cell as usize)
+            .enumerate()
+            .filter(|(place, _)| place % shares == share)
+            .map(|(_, cell)| cell)
+            .collect();
+        let basin = Basin {
+            attractor: vec![UNDECIDED; cells],
+            phase: vec![0; cells],
+            attractors: Vec::new(),
+            done: 0,
+            cells: order.len(),
+            method: "Taylor series from period to period; orbits by Newton's method, decided in a neighbourhood that the map contracts"
+                .into(),
+            error: ErrorEstimate::default(),
+        };
+        Ok(Self {
+            pair,
+            options: *options,
+            common,
+            known: Vec::new(),
+            stage: Stage::Search(0),
+            order,
+            cell: None,
+            mirror: None,
+            mirrored,
+            steps: 0,
+            basin,
+        })
+    }
+
+    /// Does a slice of the work; true when all is done.
+    ///
+    /// # Errors
+    /// [`StudyError::Numerics`] where the integration fails.
+    pub fn advance(&mut self) -> Result<bool, StudyError> {
+        let until = self.steps + SLICE;
+        while self.steps < until {
+            match self.stage {
+                Stage::Search(index) => self.search(index)?,
+                Stage::Cells(place) => self.follow(place, until)?,
+                Stage::Done => return Ok(true),
+            }
+        }
+        Ok(self.stage == Stage::Done)
+    }
+
+    /// The picture so far.
+    pub fn basin(&self) -> &Basin {
+        &self.basin
+    }
+
+    /// Looks for attractors from the next of the starts spread over the plane.
+    fn search(&mut self, index: usize) -> Result<(), StudyError> {
+        if index == 0 {
+            self.basin.error.step = self.check_period()?;
+        }
+        let (column, row) = (index % SEARCH, index / SEARCH);
+        let place = |grid: &Grid, index: usize| {
+            // Off the middle, where the unloaded state may rest unstably for ever.
+            let share = (index as f64 + 0.53) / SEARCH as f64;
+            grid.low + (grid.high - grid.low) * share
+        };
+        if row >= SEARCH || self.steps > SEARCH_STEPS {
+            self.close_search();
+            return Ok(());
+        }
+        let start = self.start(place(&self.options.x, column), place(&self.options.y, row));
+        self.steps += attractor::explore(
+            &self.pair,
+            start,
+            &self.options,
+            self.common,
+            self.mirrored || self.pair.parameters.regime == Regime::Homogeneous,
+            &mut self.known,
+        )?;
+        self.stage = Stage::Search(index + 1);
+        Ok(())
+    }
+
+    fn close_search(&mut self) {
+        self.basin.attractors = self.known.iter().map(|known| known.attractor.clone()).collect();
+        if self.mirrored {
+            self.mirror =
+                Some(self.known.iter().map(|known| attractor::mirror_image(known, &self.known)).collect());
+        }
+        self.stage = Stage::Cells(0);
+    }
+
+    /// The start that belongs to a place in the plane.
+    fn start(&self, x: f64, y: f64) -> [f64; 6] {
+        let mut state = self.options.state;
+        let plane = self.options.plane;
+        for (coordinate, value) in plane.into_iter().zip([x, y]) {
+            state[coordinate] = value;
+        }
+        for (coordinate, value) in plane.into_iter().zip([x, y]) {
+            if let Some(partner) = partner(coordinate)
+                && !plane.contains(&partner)
+            {
+                state[partner] = -value;
+            }
+        }
+        state
+    }
+
+    /// Follows the present cell until it is decided or the slice is over.
+    fn follow(&mut self, place: usize, until: usize) -> Result<(), StudyError> {
+        let Some(&index) = self.order.get(place) else {
+            self.stage = Stage::Done;
+            return Ok(());
+        };
+        if self.steps > MOST_STEPS {
+            self.stage = Stage::Done;
+            return Ok(());
+        }
+        let index = index as usize;
+        let mut cell = match self.cell.take() {
+            Some(cell) => cell,
+            None => {
+                let (x, y) = (index % self.options.x.count, index / self.options.x.count);
+                let state = self.start(self.options.x.value(x), self.options.y.value(y));
+                if motion::check_state(&self.pair, &state).is_err() {
+                    self.decide(index, ESCAPED, 0);
+                    self.stage = Stage::Cells(place + 1);
+                    return Ok(());
+                }
+                Cell { index, state, periods: 0, arrival: Arrival::default() }
+            }
+        };
+        let period = self.pair.parameters.mesh_period();
+        let verdict = loop {
+            if cell.periods >= self.options.periods {
+                break Some((UNDECIDED, 0));
+            }
+            if self.steps > until {
+                break None;
+            }
+            let start = (cell.periods % self.common) as f64 * period;
+            // A period that takes more steps than any study grants it is one that cannot be decided.
+            let Ok(reached) =
+                motion::carry(&self.pair, start, cell.state, start + period, self.options.tolerance)
+            else {
+                self.steps += SLICE;
+                break Some((UNDECIDED, 0));
+            };
+            self.steps += reached.steps;
+            if reached.escaped.is_some() {
+                break Some((ESCAPED, 0));
+            }
+            cell.state = reached.state;
+            cell.periods += 1;
+            if let Some((attractor, phase)) =
+                attractor::arrived(&self.known, &cell.state, cell.periods, self.common, &mut cell.arrival)
+            {
+                break Some((attractor as i32, phase));
+            }
+        };
+        match verdict {
+            Some((attractor, phase)) => {
+                self.decide(cell.index, attractor, phase);
+                self.stage = Stage::Cells(place + 1);
+            }
+            None => self.cell = Some(cell),
+        }
+        Ok(())
+    }
+
+    fn decide(&mut self, index: usize, attractor: i32, phase: u8) {
+        self.basin.done += 1;
+        self.basin.attractor[index] = attractor;
+        self.basin.phase[index] = phase;
+        if !self.mirrored {
+            return;
+        }
+        let image = self.basin.attractor.len() - 1 - index;
+        if image == index {
+            return;
+        }
+        let (other, other_phase) = match (usize::try_from(attractor), &self.mirror) {
+            (Ok(known), Some(mirror)) => {
+                let (other, phases) = &mirror[known];
+                (*other, phases.get(phase as usize).copied().unwrap_or(0))
+            }
+            _ => (attractor, 0),
+        };
+        self.basin.attractor[image] = other;
+        self.basin.phase[image] = other_phase;
+    }
+
+    /// How much a state changes over one period when the tolerance is a hundredth.
+    fn check_period(&mut self) -> Result<Option<f64>, StudyError> {
+        let start = self.start(
+            0.5 * self.options.x.high + 0.5 * self.options.x.low,
+            0.25 * self.options.y.low + 0.75 * self.options.y.high,
+        );
+        if motion::check_state(&self.pair, &start).is_err() {
+            return Ok(None);
+        }
+        let end = self.pair.parameters.mesh_period();
+        let coarse = motion::carry(&self.pair, 0.0, start, end, self.options.tolerance)?;
+        let finer = (0.01 * self.options.tolerance).max(TOLERANCE.0);
+        let fine = motion::carry(&self.pair, 0.0, start, end, finer)?;
+        self.steps += coarse.steps + fine.steps;
+        let both = coarse.escaped.is_none() && fine.escaped.is_none();
+        Ok(both.then(|| largest_difference(&coarse.state, &fine.state)))
+    }
+}
+
+fn check(options: &BasinOptions) -> Result<(), StudyError> {
+    let refused = |option: &'static str, given: String, allowed: &str| {
+        Err(StudyError::Option { option, given, allowed: allowed.into() })
+    };
+    let [first, second] = options.plane;
+    if first > 5 || second > 5 || first == second {
+        return refused("plane", format!("{:?}", options.plane), "two different coordinates of the state");
+    }
+    if options.state.iter().any(|value| !value.is_finite()) {
+        return refused("state", format!("{:?}", options.state), "six finite numbers");
+    }
+    if options.periods == 0 || options.periods > 100_000 {
+        return refused("periods", options.periods.to_string(), "a whole number from 1 to 100000");
+    }
+    if options.x.count * options.y.count > MOST_CELLS {
+        return refused(
+            "x, y",
+            format!("{} x {}", options.x.count, options.y.count),
+            "at most 4194304 cells",
+        );
+    }
+    let (share, shares) = options.share;
+    if share >= shares {
+        return refused(
+            "share",
+            format!("{share} of {shares}"),
+            "counted from 0 and below the number of shares",
+        );
+    }
+    Ok(())
+}
+
+/// The other wheel's coordinate.
+fn partner(coordinate: usize) -> Option<usize> {
+    match coordinate {
+        0 => Some(1),
+        1 => Some(0),
+        3 => Some(4),
+        4 => Some(3),
+        _ => None,
+    }
+}
+
+/// Whether `u -> -u`, a symmetry of the homogeneous regime, carries the plane's cells into one another.
+fn is_mirrored(p: &Parameters, options: &BasinOptions) -> bool {
+    let even = |grid: &Grid| grid.low == -grid.high;
+    let rest = (0..6).filter(|coordinate| {
+        !options.plane.contains(coordinate)
+            && partner(*coordinate).is_none_or(|partner| !options.plane.contains(&partner))
+    });
+    p.regime == Regime::Homogeneous
+        && even(&options.x)
+        && even(&options.y)
+        && rest.into_iter().all(|coordinate| options.state[coordinate] == 0.0)
+}
+
+/// The cells of a plane: first those of a coarse lattice, then those of ever finer ones.
+fn coarse_to_fine(columns: usize, rows: usize) -> Vec<u32> {
+    let mut order = Vec::with_capacity(columns * rows);
+    let mut stride = COARSEST;
+    loop {
+        for row in (0..rows).step_by(stride) {
+            for column in (0..columns).step_by(stride) {
+                let earlier = stride < COARSEST && row % (2 * stride) == 0 && column % (2 * stride) == 0;
+                if !earlier {
+                    order.push((row * columns + column) as u32);
+                }
+            }
+        }
+        if stride == 1 {
+            return order;
+        }
+        stride /= 2;
+    }
+}
+
+/// Basins over a plane of starts.
+///
+/// # Errors
+/// As [`BasinWork`].
+pub fn basin(p: &Parameters, options: &BasinOptions) -> Result<Basin, StudyError> {
+    let mut work = BasinWork::new(p, options)?;
+    while !work.advance()? {}
+    Ok(work.basin)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_cell_comes_once_and_the_coarse_ones_first() {
+        for (columns, rows) in [(1, 1), (33, 20), (256, 256)] {
+            let order = coarse_to_fine(columns, rows);
+            let mut sorted = order.clone();
+            sorted.sort_unstable();
+            assert!(sorted.iter().enumerate().all(|(index, cell)| index == *cell as usize));
+            assert_eq!(sorted.len(), columns * rows);
+        }
+        let order = coarse_to_fine(256, 256);
+        assert!(order[..256].iter().all(|cell| cell % 16 == 0 && (cell / 256) % 16 == 0));
+    }
+}

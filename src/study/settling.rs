@@ -1,0 +1,119 @@
+//! Where a motion settles: on a periodic orbit, which is then found exactly, or on something that never repeats.
+
+use super::orbit::{OrbitOptions, PeriodicOrbit, periodic_orbit};
+use super::poincare::Strobe;
+use super::time_response::largest_difference;
+use crate::error::{NumericsError, StudyError};
+use crate::model::parameters::Parameters;
+
+/// Longest period, in mesh periods, that is looked for.
+pub const LONGEST: usize = 8;
+/// Two points of the map this near, relative to 1 + the largest coordinate: an orbit is looked for there.
+const RETURNING: f64 = 1e-4;
+/// An orbit this far, relative, from the point where it was looked for is another one.
+pub(crate) const ELSEWHERE: f64 = 0.02;
+
+/// Size of a state: 1 + its largest coordinate.
+pub(crate) fn size(state: &[f64; 6]) -> f64 {
+    1.0 + state.iter().fold(0.0_f64, |most, value| most.max(value.abs()))
+}
+
+/// The least number of periods, at most [`LONGEST`], after which the motion's last points came back.
+pub(crate) fn returning(states: &[[f64; 6]]) -> Option<usize> {
+    let (last, earlier) = states.split_last()?;
+    let near = RETURNING * size(last);
+    (1..=LONGEST.min(earlier.len()))
+        .find(|&period| largest_difference(last, &earlier[earlier.len() - period]) < near)
+}
+
+/// The stable orbit of this period that passes a state within `reach`, relative to 1 + its largest coordinate, if there
+/// is one.
+pub(crate) fn stable_orbit(
+    p: &Parameters,
+    state: [f64; 6],
+    period: usize,
+    reach: f64,
+    tolerance: f64,
+) -> Option<PeriodicOrbit> {
+    let options = OrbitOptions { period, guess: Some(state), tolerance };
+    let orbit = periodic_orbit(p, &options).ok()?;
+    let near = reach * size(&state);
+    let mut points = Strobe::new(p, orbit.state, tolerance).ok()?;
+    for _ in 0..orbit.period {
+        if largest_difference(&points.state(), &state) < near {
+            return orbit.stable.then_some(orbit);
+        }
+        points.next().ok()??;
+    }
+    None
+}
+
+/// How a motion ended.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum End {
+    /// On a stable orbit.
+    Orbit(Box<PeriodicOrbit>),
+    /// Over the barrier, at this time.
+    Escaped(f64),
+    /// On none of these within the periods given: its last state.
+    Wandering([f64; 6]),
+}
+
+/// Follows a motion for at most `periods` mesh periods and at most `steps` steps of the integration, or until it is
+/// known on which orbit it settles.
+///
+/// # Errors
+/// As [`Strobe::next`]; [`NumericsError::TooManySteps`] where the steps do not suffice.
+pub(crate) fn settle(
+    p: &Parameters,
+    state: [f64; 6],
+    periods: usize,
+    steps: usize,
+    tolerance: f64,
+) -> Result<End, StudyError> {
+    let mut strobe = Strobe::new(p, state, tolerance)?;
+    let mut recent = vec![state];
+    let mut next_search = 2 * LONGEST;
+    for count in 1..=periods {
+        let Some(state) = strobe.next()? else {
+            return Ok(End::Escaped(strobe.escaped().unwrap_or(strobe.time())));
+        };
+        if strobe.steps() > steps {
+            return Err(NumericsError::TooManySteps { time: strobe.time(), steps }.into());
+        }
+        recent.push(state);
+        if recent.len() > 4 * LONGEST {
+            recent.drain(..2 * LONGEST);
+        }
+        if count < next_search {
+            continue;
+        }
+        let Some(period) = returning(&recent) else { continue };
+        if let Some(orbit) = stable_orbit(p, state, period, ELSEWHERE, tolerance) {
+            return Ok(End::Orbit(Box::new(orbit)));
+        }
+        // A slow passage by something unstable looks like a return: wait longer before the next search.
+        next_search = 2 * count;
+    }
+    Ok(End::Wandering(strobe.state()))
+}
+
+/// Two states this near, relative to 1 + the largest coordinate, are one orbit's.
+const CLOSED: f64 = 1e-7;
+
+/// After how many periods, at most [`LONGEST`], a motion is back where it started: it started on an orbit, be it stable
+/// or not.
+///
+/// # Errors
+/// As [`Strobe::next`].
+pub(crate) fn closed(p: &Parameters, state: &[f64; 6], tolerance: f64) -> Result<Option<usize>, StudyError> {
+    let common = super::multipliers::common_period(p)?;
+    let mut strobe = Strobe::new(p, *state, tolerance)?;
+    for count in 1..=LONGEST.max(common) {
+        let Some(now) = strobe.next()? else { return Ok(None) };
+        if count.is_multiple_of(common) && largest_difference(&now, state) < CLOSED * size(state) {
+            return Ok(Some(count));
+        }
+    }
+    Ok(None)
+}

@@ -1,0 +1,496 @@
+//! Quasi-periodic motions: invariant circles of the stroboscopic map, their size, their rotation, their stability.
+//!
+//! The circle is seeded by a long motion, made exactly invariant by collocation ([`crate::numerics::torus`]), and its mean
+//! radius and rotation are taken a second time, independently, as weighted Birkhoff averages of the long motion.
+
+use std::f64::consts::TAU;
+
+use super::ErrorEstimate;
+use super::motion;
+use super::multipliers::{Budget, common_period, image, multipliers, unloaded};
+use super::poincare::Strobe;
+use super::settling::{self, returning, stable_orbit};
+use super::sweep::at_frequency;
+use crate::error::{NumericsError, StudyError};
+use crate::model::equations::{GearPair, U};
+use crate::model::parameters::{Parameters, Regime};
+use crate::numerics::birkhoff;
+use crate::numerics::lyapunov::orthonormalise;
+use crate::numerics::torus::{Circle, Map, Options, cardinal};
+use crate::theory::{Modes, branches};
+
+mod seed;
+pub use seed::Averages;
+
+/// Coordinates that are left on the manifold `u_g = -u_p`.
+const ON_MANIFOLD: [usize; 4] = [0, 2, 3, 5];
+/// Most unknowns of the collocation: half a second's work at most.
+const MOST_UNKNOWNS: usize = 1100;
+/// A circle whose defect stays above this part of its size is not believed.
+const WORST_DEFECT: f64 = 1e-4;
+/// Points on the circle over which its means and extremes are taken.
+const SAMPLES: usize = 4096;
+/// Points given as the curve.
+const CURVE: usize = 256;
+/// Steps of the map over which the growth across the circle is averaged.
+const GROWTH_STEPS: usize = 2000;
+
+/// An invariant circle of the stroboscopic map (several, where the map carries one into the next).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Torus {
+    /// Mean of `sqrt(u_p^2 + u_p'^2)` along the motion.
+    pub mean_radius: f64,
+    /// Its frequency over the mesh frequency, modulo 1 and up to sign: in [0, 1/2].
+    pub rotation: f64,
+    /// States along the circle, evenly spaced in its own angle; circle after circle.
+    pub curve: Vec<[f64; 6]>,
+    /// Whether neighbouring motions come near, in all six dimensions.
+    pub stable: bool,
+    /// The fastest growth across the circle, per unit of t: below 0 where it is stable.
+    pub growth: f64,
+    /// Least of `sqrt(u_p^2 + u_p'^2)` on the circle.
+    pub r_min: f64,
+    /// Greatest of it.
+    pub r_max: f64,
+    /// Greatest `|u_p|` along the motion, between the points of the map as well.
+    pub max_u_p: f64,
+    /// Greatest `|u|` along the motion.
+    pub max_u: f64,
+    /// Number of circles, that is mesh periods after which the map returns to the same one.
+    pub circles: usize,
+    /// The same by averages over a long motion; none where the circle does not attract one.
+    pub averages: Option<Averages>,
+    /// How it was computed.
+    pub method: String,
+    /// What is known of the error: `residual`, the greatest distance of the image of a point between nodes from the circle.
+    pub error: ErrorEstimate,
+}
+
+/// The stroboscopic map, on the manifold `u_g = -u_p` where the circle is in it.
+struct Section<'a> {
+    pair: GearPair,
+    /// Mesh periods of one application.
+    periods: usize,
+    on_manifold: bool,
+    tolerance: f64,
+    budget: &'a Budget,
+}
+
+impl Section<'_> {
+    fn dimension(&self) -> usize {
+        if self.on_manifold { ON_MANIFOLD.len() } else { 6 }
+    }
+
+    fn expand(&self, point: &[f64]) -> [f64; 6] {
+        if self.on_manifold {
+            [point[0], -point[0], point[1], point[2], -point[2], point[3]]
+        } else {
+            std::array::from_fn(|i| point[i])
+        }
+    }
+
+    fn reduce(&self, state: &[f64; 6], point: &mut [f64]) {
+        if self.on_manifold {
+            for (place, coordinate) in point.iter_mut().zip(ON_MANIFOLD) {
+                *place = state[coordinate];
+            }
+        } else {
+            point.copy_from_slice(state);
+        }
+    }
+
+    fn apply(&self, state: &[f64; 6]) -> Result<[f64; 6], NumericsError> {
+        if self.budget.left() == 0 {
+            return Err(NumericsError::TooManySteps { time: 0.0, steps: 0 });
+        }
+        let end = self.periods as f64 * self.pair.parameters.mesh_period();
+        let reached = motion::carry(&self.pair, 0.0, *state, end, self.tolerance)?;
+        self.budget.spend(reached.steps);
+        reached.escaped.map_or(Ok(reached.state), |time| Err(NumericsError::Escaped { time }))
+    }
+
+    /// The map and, where asked for, its derivative, in the coordinates that are left.
+    fn map(
+        &self,
+        point: &[f64],
+        to: &mut [f64],
+        derivative: Option<&mut [f64]>,
+    ) -> Result<(), NumericsError> {
+        let state = self.expand(point);
+        let Some(rows) = derivative else {
+            self.reduce(&self.apply(&state)?, to);
+            return Ok(());
+        };
+        let (reached, matrix) = image(&self.pair, &state, self.periods, self.tolerance, 1.0, self.budget)?;
+        self.reduce(&reached, to);
+        let dimension = self.dimension();
+        for row in 0..dimension {
+            for column in 0..dimension {
+                rows[row * dimension + column] = if self.on_manifold {
+                    let (row, column) = (ON_MANIFOLD[row], ON_MANIFOLD[column]);
+                    // A change of the pinion's coordinate changes the gear's the other way.
+                    let opposite = if column == U || column == 5 { 0.0 } else { matrix[row][column + 1] };
+                    matrix[row][column] - opposite
+                } else {
+                    matrix[row][column]
+                };
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes a circle invariant, with as many nodes as it takes.
+    fn converge(&self, mut circle: Circle) -> Result<(Circle, f64), NumericsError> {
+        let map: &mut Map = &mut |point, to, derivative| self.map(point, to, derivative);
+        let mut best: Option<(Circle, f64)> = None;
+        loop {
+            let size = circle.size();
+            let options =
+                Options { tolerance: (10.0 * self.tolerance).max(1e-11) * (1.0 + size), iterations: 40 };
+            let found = match circle.solve(options, map) {
+                Ok(found) => found.circle,
+                Err(error) => return best.ok_or(error),
+            };
+            if found.size() < 1e-3 * size {
+                return Err(NumericsError::NoConvergence {
+                    iterations: 0,
+                    residual: found.size(),
+                    tolerance: 1e-3 * size,
+                });
+            }
+            let defect = found.defect(map, 1)?;
+            let goal = (10.0 * self.tolerance).max(1e-10) * (1.0 + size);
+            let better = best.as_ref().is_none_or(|(_, least)| defect < *least);
+            // More nodes that do not help: the circle is not smooth, or rounding is reached.
+            let stuck = best.as_ref().is_some_and(|(_, least)| defect > 0.3 * least);
+            let count = if found.mirrored { 2 * found.count() } else { 2 * found.count() - 1 };
+            if better {
+                best = Some((found.clone(), defect));
+            }
+            if defect <= goal || stuck || count * found.dimension > MOST_UNKNOWNS {
+                break;
+            }
+            circle = found.resampled(count);
+        }
+        let unfound = NumericsError::NoConvergence { iterations: 0, residual: f64::MAX, tolerance: 0.0 };
+        let (circle, defect) = best.ok_or(unfound)?;
+        if defect > WORST_DEFECT * (1.0 + circle.size()) {
+            return Err(NumericsError::NoConvergence {
+                iterations: 40,
+                residual: defect,
+                tolerance: WORST_DEFECT,
+            });
+        }
+        Ok((circle, defect))
+    }
+
+    /// The fastest growth across the circle per unit of t, in all six dimensions.
+    fn growth(&self, circle: &Circle) -> Result<f64, NumericsError> {
+        let full = Section { on_manifold: false, pair: self.pair, ..*self };
+        let count = circle.count();
+        let mut derivatives = Vec::with_capacity(36 * count);
+        for node in circle.nodes.chunks_exact(circle.dimension) {
+            let (_, matrix) =
+                image(&self.pair, &self.expand(node), self.periods, self.tolerance, 1.0, full.budget)?;
+            derivatives.extend(matrix.into_iter().flatten());
+        }
+        let weights = birkhoff::weights(GROWTH_STEPS);
+        let mut frame = [0.0; 36];
+        (0..6).for_each(|i| frame[7 * i] = 1.0);
+        let mut sums = [0.0; 6];
+        let turning = GROWTH_STEPS / 4;
+        for step in 0..turning + GROWTH_STEPS {
+            let theta = (step as f64 * circle.rotation).rem_euclid(1.0);
+            let derivative = interpolated(circle, &derivatives, theta);
+            let mut image = [0.0; 36];
+            for (row, to) in image.chunks_exact_mut(6).enumerate() {
+                for inner in 0..6 {
+                    let factor = derivative[6 * row + inner];
+                    for column in 0..6 {
+                        to[column] += factor * frame[6 * inner + column];
+                    }
+                }
+            }
+            frame = image;
+            let logarithms: [f64; 6] = orthonormalise(&mut frame, 6);
+            if let Some(index) = step.checked_sub(turning) {
+                for (sum, logarithm) in sums.iter_mut().zip(logarithms) {
+                    *sum += weights[index] * logarithm;
+                }
+            }
+        }
+        // One of the six belongs to the direction along the circle, in which nothing grows.
+        let along = (0..6).min_by(|&i, &j| sums[i].abs().total_cmp(&sums[j].abs())).unwrap_or(0);
+        let across = (0..6).filter(|&i| i != along).map(|i| sums[i]).fold(f64::NEG_INFINITY, f64::max);
+        if !across.is_finite() {
+            return Err(NumericsError::NotFinite { time: 0.0 });
+        }
+        Ok(across / (self.periods as f64 * self.pair.parameters.mesh_period()))
+    }
+}
+
+/// The derivative of the map at a point of the circle, from those at the nodes. Of a mirrored circle both halves have
+/// the same.
+fn interpolated(circle: &Circle, derivatives: &[f64], theta: f64) -> [f64; 36] {
+    let count = circle.count();
+    let turns = if circle.mirrored { 2.0 } else { 1.0 };
+    let mut sum = [0.0; 36];
+    for (node, matrix) in derivatives.chunks_exact(36).enumerate() {
+        let weight = cardinal(count, false, turns * (theta - circle.theta(node)));
+        for (sum, entry) in sum.iter_mut().zip(matrix) {
+            *sum += weight * entry;
+        }
+    }
+    sum
+}
+
+/// A circle with the map that it belongs to.
+struct Known<'a> {
+    section: Section<'a>,
+    circle: Circle,
+    defect: f64,
+    averages: Option<Averages>,
+}
+
+/// Steps that one search may take: some seconds' work.
+fn budget() -> Budget {
+    Budget::of(3_000_000)
+}
+
+/// The invariant circle at these parameters: the one that a motion from near rest or from the cycle of \[T8\] comes to,
+/// else the one that continues that at the nearest mesh frequency at which the unloaded state is an unstable spiral.
+///
+/// # Errors
+/// [`StudyError::Option`] for a tolerance out of range, [`StudyError::Model`] for an incommensurate load,
+/// [`StudyError::NotFound`] where there is no such motion, [`StudyError::Numerics`] where the integration fails.
+pub fn torus(p: &Parameters, tolerance: f64) -> Result<Torus, StudyError> {
+    motion::check_tolerance(tolerance)?;
+    let budget = budget();
+    describe(&find(p, tolerance, &budget)?)
+}
+
+fn find<'a>(p: &Parameters, tolerance: f64, budget: &'a Budget) -> Result<Known<'a>, StudyError> {
+    if GearPair::new(p).trace() == 0.0 {
+        return Err(StudyError::NotFound {
+            sought: "isolated torus",
+            found: "without damping quasi-periodic motions come in families".into(),
+        });
+    }
+    match seed::by_motion(p, tolerance, budget) {
+        Err(StudyError::NotFound { sought, found }) => {
+            from_neighbours(p, tolerance, budget)?.ok_or(StudyError::NotFound { sought, found })
+        }
+        known => known,
+    }
+}
+
+/// Mesh frequencies, relative to the one asked for, at which a spiral is looked for: nearest first.
+const NEIGHBOURS: usize = 12;
+/// Distance of these, relative.
+const NEIGHBOUR_SPACING: f64 = 0.01;
+
+/// The circle followed in Omega from a neighbouring frequency at which the trivial state is an unstable spiral.
+fn from_neighbours<'a>(
+    p: &Parameters,
+    tolerance: f64,
+    budget: &'a Budget,
+) -> Result<Option<Known<'a>>, StudyError> {
+    if !unloaded(p) {
+        return Ok(None);
+    }
+    for index in 2..=2 * NEIGHBOURS + 1 {
+        let distance = (index / 2) as f64 * NEIGHBOUR_SPACING * if index % 2 == 0 { 1.0 } else { -1.0 };
+        let neighbour = at_frequency(p, p.omega * (1.0 + distance));
+        let linear = multipliers(&neighbour, tolerance)?;
+        if linear.spectral_radius < 1.0 || linear.im[0].abs() < 1e-3 {
+            continue;
+        }
+        return match seed::by_motion(&neighbour, tolerance, budget) {
+            Ok(known) => follow(p, known, p.omega),
+            Err(StudyError::NotFound { .. }) => Ok(None),
+            Err(error) => Err(error),
+        };
+    }
+    Ok(None)
+}
+
+/// Follows a circle to another mesh frequency, in steps that are halved where the search fails.
+fn follow<'a>(p: &Parameters, from: Known<'a>, omega: f64) -> Result<Option<Known<'a>>, StudyError> {
+    let mut at = from;
+    let mut before: Option<(f64, Circle)> = None;
+    let whole = omega - at.section.pair.parameters.omega;
+    let mut step = 0.25 * whole;
+    loop {
+        let here = at.section.pair.parameters.omega;
+        if here == omega {
+            return Ok(Some(at));
+        }
+        let next = if (omega - here).abs() <= step.abs() * (1.0 + 1e-9) { omega } else { here + step };
+        match advance(p, &at, before.as_ref(), next) {
+            Ok(known) => {
+                before = Some((here, at.circle));
+                at = known;
+                step *= 1.5;
+            }
+            Err(StudyError::Numerics(NumericsError::TooManySteps { .. })) => return Ok(None),
+            Err(_) => {
+                step *= 0.5;
+                if step.abs() < whole.abs() / 100.0 {
+                    return Ok(None);
+                }
+            }
+        }
+    }
+}
+
+/// The circle at the next mesh frequency, straight on from the last two.
+fn advance<'a>(
+    p: &Parameters,
+    at: &Known<'a>,
+    before: Option<&(f64, Circle)>,
+    omega: f64,
+) -> Result<Known<'a>, StudyError> {
+    let here = at.section.pair.parameters.omega;
+    let mut guess = at.circle.clone();
+    if let Some((earlier, circle)) = before
+        && circle.mirrored == guess.mirrored
+    {
+        let ratio = (omega - here) / (here - earlier);
+        let circle =
+            if circle.count() == guess.count() { circle.clone() } else { circle.resampled(guess.count()) };
+        for (node, old) in guess.nodes.iter_mut().zip(&circle.nodes) {
+            *node += ratio * (*node - old);
+        }
+        guess.rotation += ratio * (guess.rotation - circle.rotation);
+    }
+    let section = Section { pair: GearPair::new(&at_frequency(p, omega)), ..at.section };
+    let (circle, defect) = section.converge(guess)?;
+    Ok(Known { section, circle, defect, averages: None })
+}
+
+/// Everything that is asked of a circle.
+fn describe(known: &Known) -> Result<Torus, StudyError> {
+    let Known { section, circle, defect, averages } = known;
+    let growth = section.growth(circle)?;
+    let (mut curve, mut radii) = (Vec::new(), Vec::with_capacity(SAMPLES * section.periods));
+    let mut nodes = Vec::new();
+    for index in 0..SAMPLES {
+        let point = circle.point(index as f64 / SAMPLES as f64);
+        let state = section.expand(&point);
+        radii.push(state[0].hypot(state[3]));
+        if index % (SAMPLES / CURVE) == 0 {
+            nodes.push(state);
+        }
+    }
+    // The other circles are images of the first.
+    let one = Section { periods: 1, pair: section.pair, ..*section };
+    let p = &section.pair.parameters;
+    let common = common_period(p)?;
+    let (mut max_u_p, mut max_u) = (Peaks::default(), Peaks::default());
+    for period in 0..section.periods {
+        if period > 0 {
+            radii.extend(nodes.iter().map(|state| state[0].hypot(state[3])));
+        }
+        curve.extend_from_slice(&nodes);
+        for state in &mut nodes {
+            let (reached, peaks) = one.extremes(state, (period % common) as f64 * p.mesh_period())?;
+            max_u_p.push(period, peaks[0]);
+            max_u.push(period, peaks[1]);
+            *state = reached;
+        }
+    }
+    let (mean_radius, r_min, r_max) = radius(&radii);
+    Ok(Torus {
+        mean_radius,
+        rotation: seed::rotation(
+            circle.rotation,
+            section.periods,
+            averages.as_ref().map(|means| means.rotation),
+        ),
+        curve,
+        stable: growth < 0.0,
+        growth,
+        r_min,
+        r_max,
+        max_u_p: max_u_p.greatest(),
+        max_u: max_u.greatest(),
+        circles: section.periods,
+        averages: *averages,
+        method: format!(
+            "collocation of {} Fourier nodes on the stroboscopic map, variational Taylor series",
+            circle.count() * if circle.mirrored { 2 } else { 1 }
+        ),
+        error: ErrorEstimate { residual: Some(*defect), ..ErrorEstimate::default() },
+    })
+}
+
+/// Mean, least and greatest of the radius: of the first circle from evenly spaced samples, whose plain mean is exact to
+/// rounding for a smooth function, and of the others' samples in their turn.
+fn radius(radii: &[f64]) -> (f64, f64, f64) {
+    let (first, others) = radii.split_at(SAMPLES.min(radii.len()));
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len().max(1) as f64;
+    let mut means = mean(first);
+    let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+    let circles = 1 + others.len() / CURVE;
+    for circle in std::iter::once(first).chain(others.chunks(CURVE)) {
+        least = least.min(-peak(&circle.iter().map(|radius| -radius).collect::<Vec<_>>()));
+        greatest = greatest.max(peak(circle));
+    }
+    if circles > 1 {
+        means = (means + others.chunks(CURVE).map(mean).sum::<f64>()) / circles as f64;
+    }
+    (means, least, greatest)
+}
+
+/// The greatest value of a smooth closed series, by the parabola through its greatest sample and its neighbours.
+fn peak(values: &[f64]) -> f64 {
+    let count = values.len();
+    let Some(at) = (0..count).max_by(|&i, &j| values[i].total_cmp(&values[j])) else {
+        return f64::NEG_INFINITY;
+    };
+    let (before, here, after) = (values[(at + count - 1) % count], values[at], values[(at + 1) % count]);
+    let curvature = before - 2.0 * here + after;
+    if curvature >= 0.0 { here } else { here - (after - before).powi(2) / (8.0 * curvature) }
+}
+
+/// Greatest values along the motion, circle by circle.
+#[derive(Default)]
+struct Peaks {
+    circles: Vec<Vec<f64>>,
+}
+
+impl Peaks {
+    fn push(&mut self, circle: usize, value: f64) {
+        if self.circles.len() <= circle {
+            self.circles.push(Vec::new());
+        }
+        self.circles[circle].push(value);
+    }
+
+    fn greatest(&self) -> f64 {
+        self.circles.iter().map(|values| peak(values)).fold(0.0, f64::max)
+    }
+}
+
+impl Section<'_> {
+    /// The state a mesh period later, and the greatest `|u_p|` and `|u|` in between.
+    fn extremes(&self, state: &[f64; 6], start: f64) -> Result<([f64; 6], [f64; 2]), NumericsError> {
+        let mut peaks = [0.0_f64; 2];
+        let options = crate::numerics::ode::taylor::Options {
+            tolerance: motion::step_tolerance(self.tolerance),
+            step_factor: 1.0,
+            steps: self.budget.left(),
+        };
+        let end = start + self.pair.parameters.mesh_period();
+        let reached =
+            motion::follow::<{ motion::ORDER_16 }>(&self.pair, start, *state, end, options, |step, _| {
+                for (peak, coordinate) in peaks.iter_mut().zip([0, U]) {
+                    let (low, high) =
+                        crate::numerics::ode::event::range(&step.coordinate(coordinate), step.length);
+                    *peak = peak.max(high).max(-low);
+                }
+            })?;
+        self.budget.spend(reached.steps);
+        Ok((reached.state, peaks))
+    }
+}

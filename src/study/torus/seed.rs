@@ -1,0 +1,243 @@
+//! A first circle from a long motion, by weighted Birkhoff averages.
+
+use super::{
+    Budget, Circle, GearPair, Known, Map, Modes, NumericsError, Parameters, Regime, Section, Strobe,
+    StudyError, TAU, birkhoff, branches, common_period, motion, returning, settling, stable_orbit,
+};
+use crate::numerics::spectrum::{Window, amplitudes};
+use crate::study::multipliers::{trivial_state, unloaded};
+use crate::study::orbit::{self, OrbitOptions};
+
+/// Mesh periods after which a circle is looked for: at each of these, the earlier ones being the transient.
+const STAGES: [usize; 5] = [300, 900, 2700, 8100, 16_200];
+/// Points over which averages are taken.
+const POINTS: usize = 1024;
+/// Points over which the averages of the answer are taken, the circle being known.
+const AVERAGED: usize = 4096;
+/// Most circles that the map carries one into the next.
+const MOST_CIRCLES: usize = 4;
+/// The seed's defect, relative to its size, below which the collocation is tried.
+const PROMISING: f64 = 0.1;
+
+/// What the averages along a long motion give, independently of the collocation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Averages {
+    /// Mean of `sqrt(u_p^2 + u_p'^2)`.
+    pub mean_radius: f64,
+    /// Frequency of the strongest line of `u_p` that is no harmonic of the mesh, over the mesh frequency; in [0, 1/2].
+    pub rotation: f64,
+}
+
+/// Folds turns into [0, 1/2].
+fn folded(turns: f64) -> f64 {
+    let part = turns.rem_euclid(1.0);
+    part.min(1.0 - part)
+}
+
+/// The rotation per mesh period, from that of the map of several periods: that of the answers nearest to the one seen.
+pub(super) fn rotation(turns: f64, periods: usize, seen: Option<f64>) -> f64 {
+    let answers = (0..periods).map(|whole| folded((turns + whole as f64) / periods as f64));
+    match seen {
+        Some(seen) => answers.min_by(|a, b| (a - seen).abs().total_cmp(&(b - seen).abs())),
+        None => answers.min_by(f64::total_cmp),
+    }
+    .unwrap_or(0.0)
+}
+
+/// Starts from which a motion is followed: the cycles of \[T8\] and smaller ones, then near rest.
+fn starts(p: &Parameters, budget: &Budget) -> Vec<[f64; 6]> {
+    let centre = if unloaded(p) {
+        trivial_state(p)
+    } else {
+        let period = common_period(p).unwrap_or(1);
+        let options = OrbitOptions { period, ..OrbitOptions::default() };
+        orbit::response(p, period, &options, budget).map_or_else(|_| trivial_state(p), |orbit| orbit.state)
+    };
+    let mut starts = Vec::new();
+    if let Ok(symmetric) = p.symmetric()
+        && let (Ok(modes), Ok([Some(cycle), _])) = (Modes::of(&symmetric), branches::cycles(&symmetric))
+    {
+        for factor in [0.8, 0.5] {
+            let (b, c) = (factor * cycle.radius_b, factor * cycle.radius_c);
+            let u_p = -2.0 * (b + c);
+            starts.push([u_p, -u_p, modes.a * b + modes.b * c, 0.0, 0.0, 0.0]);
+        }
+    }
+    starts.push([-0.02, 0.02, 0.05, 0.0, 0.0, 0.0]);
+    for start in &mut starts {
+        for (value, centre) in start.iter_mut().zip(centre) {
+            *value += centre;
+        }
+    }
+    starts
+}
+
+/// The circle that a motion settles on.
+pub(super) fn by_motion<'a>(
+    p: &Parameters,
+    tolerance: f64,
+    budget: &'a Budget,
+) -> Result<Known<'a>, StudyError> {
+    let pair = GearPair::new(p);
+    let mut found = "every motion tried escapes".to_owned();
+    for start in starts(p, budget) {
+        if motion::check_state(&pair, &start).is_err() {
+            continue;
+        }
+        match settle(p, start, tolerance, budget)? {
+            Ok(known) => return Ok(known),
+            Err(words) => found = words,
+        }
+    }
+    Err(StudyError::NotFound { sought: "torus", found })
+}
+
+/// Follows one motion; where it comes to no circle, says in words to what.
+fn settle<'a>(
+    p: &Parameters,
+    start: [f64; 6],
+    tolerance: f64,
+    budget: &'a Budget,
+) -> Result<Result<Known<'a>, String>, StudyError> {
+    let mut strobe = Strobe::new(p, start, tolerance)?;
+    let mut states = vec![start];
+    let mut searches = 0;
+    for stage in STAGES {
+        while states.len() < stage + POINTS {
+            let before = strobe.steps();
+            let Some(state) = strobe.next()? else { return Ok(Err("the motion escapes".into())) };
+            budget.spend(strobe.steps() - before);
+            if budget.left() == 0 {
+                return Err(NumericsError::TooManySteps { time: strobe.time(), steps: strobe.steps() }.into());
+            }
+            states.push(state);
+            if states.len() % 100 == 0
+                && searches < 4
+                && let Some(period) = returning(&states)
+            {
+                searches += 1;
+                if let Some(orbit) = stable_orbit(p, state, period, settling::ELSEWHERE, tolerance) {
+                    return Ok(Err(format!("the motion settles on an orbit of period {} T", orbit.period)));
+                }
+            }
+        }
+        if let Some(known) = circle(p, &states[states.len() - POINTS..], tolerance, budget)? {
+            return Ok(Ok(measured(known, &mut strobe, states)?));
+        }
+    }
+    Ok(Err("the motion does not settle on a closed curve".into()))
+}
+
+/// Makes a circle of the last points of a motion, if they lie near one.
+fn circle<'a>(
+    p: &Parameters,
+    states: &[[f64; 6]],
+    tolerance: f64,
+    budget: &'a Budget,
+) -> Result<Option<Known<'a>>, StudyError> {
+    let common = common_period(p)?;
+    let size = states.iter().map(settling::size).fold(0.0, f64::max);
+    let opposed =
+        |state: &[f64; 6]| (state[0] + state[1]).abs().max((state[3] + state[4]).abs()) < 1e-9 * size;
+    let on_manifold = p.symmetric().is_ok() && states.iter().all(opposed);
+    for circles in 1..=MOST_CIRCLES {
+        let periods = circles * common;
+        let every: Vec<[f64; 6]> = states.iter().step_by(periods).copied().collect();
+        if every.len() < 128 {
+            break;
+        }
+        let section = Section { pair: GearPair::new(p), periods, on_manifold, tolerance, budget };
+        for mirrored in [true, false] {
+            if mirrored && p.regime != Regime::Homogeneous {
+                continue;
+            }
+            let Some(seed) = fitted(&section, &every, mirrored) else { continue };
+            let map: &mut Map = &mut |point, to, derivative| section.map(point, to, derivative);
+            match seed.defect(map, 4) {
+                Ok(defect) if defect < PROMISING * seed.size() => (),
+                Err(error @ NumericsError::TooManySteps { .. }) => return Err(error.into()),
+                _ => continue,
+            }
+            match section.converge(seed) {
+                Ok((circle, defect)) => {
+                    return Ok(Some(Known { section, circle, defect, averages: None }));
+                }
+                Err(error @ NumericsError::TooManySteps { .. }) => return Err(error.into()),
+                Err(_) => (),
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// The strongest frequency of a series, its mean taken off, in turns a sample.
+fn strongest(series: &[f64], weights: &[f64], forbidden: &dyn Fn(f64) -> bool) -> Option<f64> {
+    let mean = birkhoff::mean(series, weights);
+    let varying: Vec<f64> = series.iter().map(|value| value - mean).collect();
+    let lines = amplitudes(&varying, Window::BlackmanHarris);
+    let turns = |line: usize| line as f64 / series.len() as f64;
+    let line = (1..lines.len())
+        .filter(|&line| !forbidden(turns(line)))
+        .max_by(|&i, &j| lines[i].total_cmp(&lines[j]))?;
+    (lines[line] > 1e-9).then(|| birkhoff::frequency(&varying, weights, turns(line)))
+}
+
+/// The closed curve through the points of a motion, by its Fourier coefficients as averages.
+fn fitted(section: &Section, states: &[[f64; 6]], mirrored: bool) -> Option<Circle> {
+    let weights = birkhoff::weights(states.len());
+    let column = |coordinate: usize| -> Vec<f64> { states.iter().map(|state| state[coordinate]).collect() };
+    let turns = strongest(&column(0), &weights, &|_| false)?;
+    let dimension = section.dimension();
+    let count = if mirrored { 32 } else { 65 };
+    let spacing = 1.0 / (count * if mirrored { 2 } else { 1 }) as f64;
+    let coordinates: Vec<usize> =
+        if section.on_manifold { super::ON_MANIFOLD.to_vec() } else { (0..6).collect() };
+    let mut nodes = vec![0.0; count * dimension];
+    let most: u32 = if mirrored { 12 } else { 20 };
+    for (place, &coordinate) in coordinates.iter().enumerate() {
+        let series = column(coordinate);
+        for harmonic in 0..=most {
+            if mirrored && harmonic % 2 == 0 {
+                continue;
+            }
+            let [re, im] =
+                birkhoff::coefficient(&series, &weights, (f64::from(harmonic) * turns).rem_euclid(1.0));
+            let sides = if harmonic == 0 { 1.0 } else { 2.0 };
+            for node in 0..count {
+                let (sine, cosine) = (TAU * f64::from(harmonic) * node as f64 * spacing).sin_cos();
+                nodes[node * dimension + place] += sides * (re * cosine - im * sine);
+            }
+        }
+    }
+    Some(Circle { dimension, mirrored, nodes, rotation: turns })
+}
+
+/// Adds the averages of the motion, followed on where it has not been followed long enough.
+fn measured<'a>(
+    mut known: Known<'a>,
+    strobe: &mut Strobe,
+    mut states: Vec<[f64; 6]>,
+) -> Result<Known<'a>, StudyError> {
+    let settled = states.len() - POINTS;
+    while states.len() < settled + AVERAGED {
+        match strobe.next()? {
+            Some(state) => states.push(state),
+            None => return Ok(known),
+        }
+    }
+    let states = &states[states.len() - AVERAGED..];
+    let weights = birkhoff::weights(states.len());
+    let radii: Vec<f64> = states.iter().map(|state| state[0].hypot(state[3])).collect();
+    let series: Vec<f64> = states.iter().map(|state| state[0]).collect();
+    let periods = known.section.periods as f64;
+    // Lines of several circles that belong to the order in which they are visited, not to the motion on them.
+    let harmonic = |turns: f64| {
+        let nearest = (turns * periods).round();
+        known.section.periods > 1 && (turns * periods - nearest).abs() < 4.0 * periods / states.len() as f64
+    };
+    if let Some(turns) = strongest(&series, &weights, &harmonic) {
+        known.averages =
+            Some(Averages { mean_radius: birkhoff::mean(&radii, &weights), rotation: folded(turns) });
+    }
+    Ok(known)
+}
