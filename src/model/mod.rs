@@ -2,6 +2,7 @@
 
 pub mod equations;
 pub mod linear;
+pub mod manifold;
 pub mod parameters;
 pub mod physical;
 pub mod variational;

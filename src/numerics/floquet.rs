@@ -91,12 +91,17 @@ fn householder(attempt: usize) -> Matrix6 {
     Matrix6::identity() - 2.0 * direction * direction.transpose()
 }
 
+/// Six numbers, real and imaginary parts, in the order of a spectrum.
+pub fn ordered(values: [(f64, f64); 6]) -> Spectrum {
+    sorted(&values.map(|(re, im)| Complex::new(re, im)), 1.0)
+}
+
 fn sorted(eigenvalues: &[Complex<f64>], scale: f64) -> Spectrum {
     let mut ordered = [Complex::new(0.0, 0.0); 6];
     ordered.copy_from_slice(eigenvalues);
     // Moduli that differ by rounding alone count as equal, so that pairs stay together.
     let key = |value: &Complex<f64>| (value.norm() * 1e12).round();
-    ordered.sort_by(|left, right| {
+    ordered.sort_unstable_by(|left, right| {
         key(right)
             .total_cmp(&key(left))
             .then(right.im.abs().total_cmp(&left.im.abs()))

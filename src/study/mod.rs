@@ -1,6 +1,8 @@
 //! Questions asked of the model, answered in plain columns.
 
 pub mod benchmark;
+pub mod branch;
+pub mod family;
 pub mod grid;
 pub mod motion;
 pub mod multipliers;
