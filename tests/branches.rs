@@ -4,6 +4,7 @@ mod common;
 
 use common::{numbers, reference};
 use gear_bifurcations::study::branch::{Branch, BranchOptions, EventKind, branch};
+use gear_bifurcations::study::diagram::{DiagramOptions, diagram};
 
 fn show(branch: &Branch) {
     println!("{} points, period {}, ends {:?}, error {:?}", branch.value.len(), branch.period, branch.ends, branch.error);
@@ -22,4 +23,16 @@ fn tongue_2() {
     }
     println!("{}", reference("orbit_branch")["events"]);
     assert_eq!(found.events[0].kind, EventKind::Fold);
+}
+
+#[test]
+fn figure_10() {
+    let p = numbers(&[("Omega", 1.65)]);
+    let begun = std::time::Instant::now();
+    let found = diagram(&p, &DiagramOptions::new([1.0, 6.0])).expect("computes");
+    println!("{:?} {} branches, complete {}", begun.elapsed(), found.branches.len(), found.complete);
+    for (branch, from) in found.branches.iter().zip(&found.from) {
+        println!("from {from:?}");
+        show(branch);
+    }
 }

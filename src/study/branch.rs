@@ -197,11 +197,11 @@ pub fn branch(p: &Parameters, options: &BranchOptions) -> Result<Branch, StudyEr
     let bounds = bounds(p, options);
     let (path, start) = first(p, &mut family, options, &bounds)?;
     let traces = both_ways(&mut family, path, start, bounds);
-    let followed = assemble(&mut family, parameter, traces);
+    let followed = assemble(&mut family, parameter, traces, None);
     Ok(followed.branch)
 }
 
-fn check(options: &BranchOptions, [least, most]: [f64; 2]) -> Result<(), StudyError> {
+pub(crate) fn check(options: &BranchOptions, [least, most]: [f64; 2]) -> Result<(), StudyError> {
     motion::check_tolerance(options.tolerance)?;
     let [low, high] = options.range;
     if !(least <= low && low < high && high <= most) {
@@ -359,30 +359,43 @@ pub(crate) struct Followed {
     /// The branch.
     pub branch: Branch,
     /// Of each event, what is born there and from where.
-    pub births: Vec<Option<(Birth, Point)>>,
+    pub births: Vec<Option<(Birth, Nature, Point)>>,
     /// The points' maps and symmetries.
     pub path: Path,
 }
 
-/// One branch from its two parts; the second alone where the first is only the start.
-pub(crate) fn assemble(family: &mut GearFamily, parameter: &'static str, traces: [Trace; 2]) -> Followed {
+/// What was located, as an event, with what is born there.
+type Noted = (BranchEvent, Option<(Birth, Nature, Point)>);
+
+/// One branch from its two parts. The first is only the start where the branch is `born` there: then what happens
+/// there and the period of the other branch are given.
+pub(crate) fn assemble(
+    family: &mut GearFamily,
+    parameter: &'static str,
+    traces: [Trace; 2],
+    born: Option<(Nature, usize)>,
+) -> Followed {
     let [mut backwards, mut forwards] = traces;
     let path = forwards.path;
     let scale = forwards.bounds.scale;
-    let mut events: Vec<(f64, BranchEvent, Option<(Birth, Point)>)> = Vec::new();
+    let mut events: Vec<(f64, Noted)> = Vec::new();
     let mut ends = [BranchEnd::Range, BranchEnd::Range];
     let parts = [(&mut backwards, -1.0), (&mut forwards, 1.0)];
     for (side, (trace, sign)) in parts.into_iter().enumerate() {
         let (end, birth) = ended(family, trace);
         ends[side] = end;
         for (index, located) in trace.found.clone() {
-            let (event, born) = describe(family, trace, index, &located);
-            events.push((sign * located.point.arc, event, born));
+            let noted = describe(family, trace, index, &located);
+            events.push((sign * located.point.arc, noted));
         }
         if let (Some(nature), Some(point)) = (birth, trace.points.last()) {
             let event = event(family, scale, nature, point, None);
-            events.push((sign * point.arc, event, None));
+            events.push((sign * point.arc, (event, None)));
         }
+    }
+    if let (Some((nature, period)), Some(point)) = (born, forwards.points.first()) {
+        ends[0] = BranchEnd::BornFrom { period };
+        events.push((0.0, (event(family, scale, nature, point, None), None)));
     }
     events.sort_unstable_by(|left, right| left.0.total_cmp(&right.0));
     let mut points: Vec<(f64, Point)> = Vec::with_capacity(backwards.points.len() + forwards.points.len());
@@ -390,7 +403,7 @@ pub(crate) fn assemble(family: &mut GearFamily, parameter: &'static str, traces:
     points.extend(forwards.points.iter().map(|point| (point.arc, *point)));
     let mut births = Vec::with_capacity(events.len());
     let mut listed = Vec::with_capacity(events.len());
-    for (arc, mut event, birth) in events {
+    for (arc, (mut event, birth)) in events {
         event.after = points.partition_point(|(other, _)| *other <= arc).saturating_sub(1);
         listed.push(event);
         births.push(birth);
@@ -437,13 +450,13 @@ fn event(
     BranchEvent { kind, value, state, breaks, max_u_p, max_u, supercritical, after: 0 }
 }
 
-/// What was located, as an event, with what is born there.
+/// What was located, in words.
 fn describe(
     family: &mut GearFamily,
     trace: &Trace,
     index: usize,
     located: &Located,
-) -> (BranchEvent, Option<(Birth, Point)>) {
+) -> Noted {
     let scale = trace.bounds.scale;
     let (nature, birth) = switch::nature(family.group(), trace.path, &trace.space, scale, located);
     let mut supercritical = None;
@@ -457,7 +470,7 @@ fn describe(
         supercritical = Some((second.at[6] > located.point.at[6]) == less_stable_above);
     }
     let event = event(family, scale, nature, &located.point, supercritical);
-    (event, birth.map(|birth| (birth, located.point)))
+    (event, birth.map(|birth| (birth, nature, located.point)))
 }
 
 fn columns(

@@ -2,6 +2,7 @@
 
 pub mod benchmark;
 pub mod branch;
+pub mod diagram;
 pub mod family;
 pub mod grid;
 pub mod motion;
