@@ -73,16 +73,20 @@ pub fn split(all: &[f64; SIZE]) -> ([f64; 6], [[f64; 6]; 6]) {
             sign * a[3],
         ]
     };
-    let tooth = |u: [f64; 4]| [0.5 * u[0], -0.5 * u[0], u[1], 0.5 * u[2], -0.5 * u[2], u[3]];
     let rows = [
         body(a, s, 1.0),
         body(a, s, -1.0),
-        tooth(u),
+        gradient(&u),
         body(a_dot, s_dot, 1.0),
         body(a_dot, s_dot, -1.0),
-        tooth(u_dot),
+        gradient(&u_dot),
     ];
     (full(all), rows)
+}
+
+/// A derivative by (a, u, a', u') as one by all six coordinates.
+pub fn gradient(row: &[f64; 4]) -> [f64; 6] {
+    [0.5 * row[0], -0.5 * row[0], row[1], 0.5 * row[2], -0.5 * row[2], row[3]]
 }
 
 impl TaylorField<SIZE> for Manifold {
@@ -107,39 +111,37 @@ impl TaylorField<SIZE> for Manifold {
         let forcing = Forcing::<LEN>::new(p, time);
         let (slope, offset) = piece.line();
         let (inverse_mass, damping, mesh_damping) = (1.0 / p.m_p, 2.0 * p.zeta_p, 2.0 * p.zeta);
-        // Products of series are spread forwards, as in the equations of motion: of the square, the cube and the
-        // tooth force of the motion, and of its linearisation.
+        // The rows of the derivative that enter products, each coefficient's lanes side by side.
+        let mut displacements = [[0.0; 6]; LEN];
+        let mut teeth = [[0.0; 4]; LEN];
         let mut square = [0.0; LEN];
-        let mut cube = [0.0; LEN];
-        let mut tooth = [0.0; LEN];
-        let mut linear_tooth = [[0.0; 4]; LEN];
-        let mut linear_cube = [[0.0; 6]; LEN];
+        let nonlinear = p.alpha_p != 0.0;
         series[0] = *state;
         for n in 0..LEN - 1 {
             let row = series[n];
-            let force = slope * row[U] - if n == 0 { offset } else { 0.0 };
-            let lanes: [f64; 4] = std::array::from_fn(|i| slope * row[16 + i]);
-            tooth[n] += force;
-            for lane in 0..4 {
-                linear_tooth[n][lane] += lanes[lane];
+            displacements[n].copy_from_slice(&row[4..10]);
+            teeth[n].copy_from_slice(&row[16..20]);
+            let (mut cube, mut linear_cube) = (0.0, [0.0; 6]);
+            if nonlinear {
+                square[n] = (0..=n).map(|j| series[j][0] * series[n - j][0]).sum();
+                cube = (0..=n).map(|j| square[j] * series[n - j][0]).sum();
+                linear_cube = convolved(&square, &displacements, n);
             }
+            let (mut tooth, mut linear_tooth) = (0.0, [0.0; 4]);
             if slope != 0.0 {
-                for (later, pulsation) in (n..LEN).zip(&forcing.pulsation) {
-                    tooth[later] += pulsation * force;
-                    for lane in 0..4 {
-                        linear_tooth[later][lane] += pulsation * lanes[lane];
-                    }
+                tooth = (0..=n).map(|j| forcing.pulsation[j] * series[n - j][U]).sum::<f64>() + row[U];
+                tooth -= offset * (forcing.pulsation[n] + if n == 0 { 1.0 } else { 0.0 });
+                linear_tooth = convolved(&forcing.pulsation, &teeth, n);
+                for lane in 0..4 {
+                    linear_tooth[lane] += teeth[n][lane];
                 }
             }
-            if p.alpha_p != 0.0 {
-                spread_cubes(n, series, &mut square, &mut cube, &mut linear_cube);
-            }
-            let mesh = mesh_damping * row[3] + tooth[n];
-            let a = -(damping * row[2] + p.k_p * row[0] + p.alpha_p * cube[n] + mesh) * inverse_mass;
+            let mesh = mesh_damping * row[3] + tooth;
+            let a = -(damping * row[2] + p.k_p * row[0] + p.alpha_p * cube + mesh) * inverse_mass;
             let rate = 1.0 / (n + 1) as f64;
             let mut linear_mesh = [0.0; 6];
             for lane in 0..4 {
-                linear_mesh[lane] = mesh_damping * row[20 + lane] + linear_tooth[n][lane];
+                linear_mesh[lane] = mesh_damping * row[20 + lane] + linear_tooth[lane];
             }
             let next = &mut series[n + 1];
             next[0] = row[2] * rate;
@@ -150,7 +152,7 @@ impl TaylorField<SIZE> for Manifold {
             for lane in 0..6 {
                 accelerations[lane] = -(damping * row[10 + lane]
                     + p.k_p * row[4 + lane]
-                    + 3.0 * p.alpha_p * linear_cube[n][lane]
+                    + 3.0 * p.alpha_p * linear_cube[lane]
                     + linear_mesh[lane])
                     * inverse_mass;
                 next[4 + lane] = row[10 + lane] * rate;
@@ -164,40 +166,18 @@ impl TaylorField<SIZE> for Manifold {
     }
 }
 
-/// Adds to the square and the cube of a, and to the square times the derivative's rows, what their n-th coefficients
-/// bring.
+/// The n-th coefficient of the product of a series with several others, all lanes at once.
 #[inline]
-fn spread_cubes<const LEN: usize>(
+pub(crate) fn convolved<const LANES: usize, const LEN: usize>(
+    factor: &[f64; LEN],
+    series: &[[f64; LANES]; LEN],
     n: usize,
-    series: &Series<SIZE, LEN>,
-    square: &mut [f64; LEN],
-    cube: &mut [f64; LEN],
-    linear: &mut [[f64; 6]; LEN],
-) {
-    let newest = series[n][0];
-    for (j, later) in (n..(2 * n).min(LEN)).enumerate() {
-        square[later] += 2.0 * newest * series[j][0];
-    }
-    if 2 * n < LEN {
-        square[2 * n] += newest * newest;
-    }
-    // The square's coefficients up to n are complete now.
-    let mut lanes = [0.0; 6];
-    lanes.copy_from_slice(&series[n][4..10]);
-    for (j, later) in (n..LEN).enumerate().take(n + 1) {
-        if j < n {
-            cube[later] += square[n] * series[j][0] + newest * square[j];
-        } else {
-            cube[later] += square[n] * newest;
-        }
-        if j < n {
-            for lane in 0..6 {
-                linear[later][lane] += square[n] * series[j][4 + lane] + lanes[lane] * square[j];
-            }
-        } else {
-            for lane in 0..6 {
-                linear[later][lane] += square[n] * lanes[lane];
-            }
+) -> [f64; LANES] {
+    let mut sum = [0.0; LANES];
+    for (factor, lanes) in factor[..=n].iter().rev().zip(&series[..=n]) {
+        for lane in 0..LANES {
+            sum[lane] += factor * lanes[lane];
         }
     }
+    sum
 }

@@ -183,7 +183,7 @@ pub struct Branch {
 /// Steps granted to one branch: some seconds.
 const STEPS: usize = 1_000_000;
 /// Length of the last correction of a point, over the scales, at the default tolerance.
-const LAST_CORRECTION: f64 = 2e-9;
+const LAST_CORRECTION: f64 = 1e-8;
 
 /// Follows a branch both ways from an orbit.
 ///
@@ -331,7 +331,7 @@ pub(crate) fn on_branch(
     let mut normal = [0.0; 7];
     normal[6] = 1.0;
     let place = bounds.scale.scaled(&space.project(state), value);
-    let mut corrected = corrector::correct(family, &frame, &place, &normal)?;
+    let mut corrected = corrector::correct(family, &frame, &place, &normal, None)?;
     corrected.at[6] = place[6];
     corrected.tangent = corrector::tangent(family, &frame, &corrected.at, &corrected.evaluation)?;
     finish(corrected, 0.0, &space, family.slack())

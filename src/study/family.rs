@@ -193,105 +193,138 @@ impl GearFamily {
     }
 }
 
+/// Where among the coordinates of a field a displacement, its velocity, and the row of the displacement's derivative
+/// by the start are.
+type Place = (usize, usize, usize);
+
+/// An extreme value and its derivative by the start.
+#[derive(Clone, Copy)]
+struct Extreme {
+    value: f64,
+    gradient: State,
+}
+
 /// Extremes and pieces met along an orbit.
 struct Seen<'a> {
-    /// Where displacement and velocity of pinion, gear (unless on the manifold) and u are among the coordinates.
-    places: &'a [(usize, usize)],
-    low: [f64; 3],
-    high: [f64; 3],
+    /// Of pinion, gear (unless on the manifold) and u.
+    places: &'a [Place],
+    low: [Extreme; 3],
+    high: [Extreme; 3],
     pieces: usize,
 }
 
 impl<'a> Seen<'a> {
-    fn new(places: &'a [(usize, usize)]) -> Self {
-        Self { places, low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3], pieces: 0 }
+    fn new(places: &'a [Place]) -> Self {
+        let none = |value: f64| [Extreme { value, gradient: [0.0; 6] }; 3];
+        Self { places, low: none(f64::INFINITY), high: none(f64::NEG_INFINITY), pieces: 0 }
     }
 
     fn look<const N: usize>(&mut self, step: &Step<N, ORDER_16>, end: &[f64; N]) {
-        for (index, &(displacement, velocity)) in self.places.iter().enumerate() {
-            let mut take = |value: f64| {
-                self.low[index] = self.low[index].min(value);
-                self.high[index] = self.high[index].max(value);
+        for (index, &(displacement, velocity, row)) in self.places.iter().enumerate() {
+            let (low, high) = (&mut self.low[index], &mut self.high[index]);
+            let mut take = |value: f64, gradient: &dyn Fn() -> State| {
+                if value < low.value {
+                    *low = Extreme { value, gradient: gradient() };
+                }
+                if value > high.value {
+                    *high = Extreme { value, gradient: gradient() };
+                }
             };
-            take(end[displacement]);
+            take(end[displacement], &|| [0.0; 6]);
             if step.series[0][velocity] * end[velocity] < 0.0 {
                 let since = turning(&step.coordinate(velocity), step.length);
-                take(polynomial_value(&step.coordinate(displacement), since));
+                take(polynomial_value(&step.coordinate(displacement), since), &|| {
+                    let entry = |column: usize| polynomial_value(&step.coordinate(row + column), since);
+                    if N == manifold::SIZE {
+                        manifold::gradient(&std::array::from_fn(entry))
+                    } else {
+                        std::array::from_fn(entry)
+                    }
+                });
             }
         }
     }
 
     fn beyond<const N: usize>(&self, state: &[f64; N], bound: f64) -> bool {
-        let last = self.places.len() - 1;
-        self.places.iter().enumerate().any(|(index, &(displacement, _))| {
+        // Without places nothing is looked at: a motion next to one that was is asked for.
+        let last = self.places.len().saturating_sub(1);
+        self.places.iter().enumerate().any(|(index, &(displacement, ..))| {
             let limit = if index == last { DIVERGED } else { bound };
             // Also true where it is no number.
             !(state[displacement].abs() <= limit)
         })
     }
 
-    /// Greatest |u_p| and |u| of the orbit, whose second half is the first under a symmetry.
-    fn peaks(&self, symmetry: usize, centre: f64) -> [f64; 2] {
-        let largest = |index: usize| self.high[index].abs().max(self.low[index].abs());
+    /// Greatest |u_p| and |u| of the orbit, whose second half is the first under a symmetry, with their gradients.
+    fn peaks(&self, symmetry: usize, centre: f64) -> ([f64; 2], [State; 2]) {
+        let signed = |sign: f64, offset: f64, extreme: &Extreme| Extreme {
+            value: sign * extreme.value + offset,
+            gradient: extreme.gradient.map(|value| sign * value),
+        };
+        let larger = |best: Extreme, other: Extreme| if other.value > best.value { other } else { best };
+        let largest = |index: usize| {
+            larger(signed(1.0, 0.0, &self.high[index]), signed(-1.0, 0.0, &self.low[index]))
+        };
         let last = self.places.len() - 1;
         let mut pinion = largest(0);
         if last == 2 && symmetry & SWAP != 0 {
-            pinion = pinion.max(largest(1));
+            pinion = larger(pinion, largest(1));
         }
         let mut mesh = largest(last);
         if symmetry & SIGN != 0 {
-            let other = |value: f64| (2.0 * centre - value).abs();
-            mesh = mesh.max(other(self.low[last])).max(other(self.high[last]));
+            // The other half is at 2 centre - u.
+            mesh = larger(mesh, signed(1.0, -2.0 * centre, &self.high[last]));
+            mesh = larger(mesh, signed(-1.0, 2.0 * centre, &self.low[last]));
         }
-        [pinion, mesh]
+        ([pinion.value, mesh.value], [pinion.gradient, mesh.gradient])
     }
 }
 
-/// The root of a velocity whose sign differs at both ends of a step.
+/// The root of a velocity whose sign differs at both ends of a step: Newton's method within the bracket.
 fn turning(velocity: &[f64; ORDER_16], length: f64) -> f64 {
     let (mut low, mut high) = (0.0, length);
-    let (mut at_low, mut at_high) = (velocity[0], polynomial_value(velocity, length));
-    // The displacement is flat there: half of the digits are enough.
-    for _ in 0..60 {
-        if high - low < 1e-9 * length || at_low == at_high {
-            break;
+    let rising = velocity[0] < 0.0;
+    let mut at = 0.5 * length;
+    for _ in 0..30 {
+        let (mut value, mut slope) = (0.0, 0.0);
+        for coefficient in velocity.iter().rev() {
+            slope = slope * at + value;
+            value = value * at + coefficient;
         }
-        let secant = (low * at_high - high * at_low) / (at_high - at_low);
-        let margin = 0.02 * (high - low);
-        for trial in [(secant - 1e-9 * length).max(low + 0.1 * margin), 0.5 * (low + high)] {
-            let value = polynomial_value(velocity, trial);
-            if (value > 0.0) == (at_low > 0.0) {
-                (low, at_low) = (low.max(trial), if trial >= low { value } else { at_low });
-            } else {
-                (high, at_high) = (high.min(trial), if trial <= high { value } else { at_high });
-            }
+        *(if (value > 0.0) == rising { &mut high } else { &mut low }) = at;
+        let newton = at - value / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        // The displacement is flat there: half of the digits are enough.
+        if (next - at).abs() < 1e-9 * length {
+            return next;
         }
+        at = next;
     }
-    0.5 * (low + high)
+    at
 }
 
 impl Family for GearFamily {
     fn evaluate(&mut self, kind: Kind, state: &State, parameter: f64) -> Result<Evaluation, NumericsError> {
         let p = self.at(parameter);
-        let (half, image, derivative, peaks, pieces);
+        let (half, image, derivative, (peaks, gradients), pieces);
         let centre = self.group.element(SIGN).map_or(0.0, |sign| sign.centre[2]);
         match Manifold::of(&p) {
             Some(field) if manifold::holds(state) => {
-                let mut seen = Seen::new(&[(0, 2), (1, 3)]);
+                let mut seen = Seen::new(&[(0, 2, 4), (1, 3, 16)]);
                 let [middle, end] =
                     self.carry(&field, manifold::start(state), kind.periods, &p, &mut seen)?;
                 half = manifold::full(&middle);
                 (image, derivative) = manifold::split(&end);
-                (peaks, pieces) = (seen.peaks(kind.symmetry, centre), seen.pieces);
+                ((peaks, gradients), pieces) = (seen.peaks(kind.symmetry, centre), seen.pieces);
             }
             _ => {
                 let field = Variational { pair: GearPair::new(&p) };
-                let mut seen = Seen::new(&[(0, 3), (1, 4), (2, 5)]);
+                let mut seen = Seen::new(&[(0, 3, 6), (1, 4, 12), (2, 5, 18)]);
                 let [middle, end] =
                     self.carry(&field, variational::start(state), kind.periods, &p, &mut seen)?;
                 half = variational::split(&middle).0;
                 (image, derivative) = variational::split(&end);
-                (peaks, pieces) = (seen.peaks(kind.symmetry, centre), seen.pieces);
+                ((peaks, gradients), pieces) = (seen.peaks(kind.symmetry, centre), seen.pieces);
             }
         }
         let derivative = matrix(&derivative);
@@ -299,13 +332,13 @@ impl Family for GearFamily {
             Some(symmetry) if kind.symmetry != 0 => (symmetry.apply(&image), symmetry.times(&derivative)),
             _ => (image, derivative),
         };
-        Ok(Evaluation { image, derivative, half, peaks, pieces })
+        Ok(Evaluation { image, derivative, half, peaks, gradients, pieces })
     }
 
     fn image(&mut self, kind: Kind, state: &State, parameter: f64) -> Result<State, NumericsError> {
         let p = self.at(parameter);
         let pair = GearPair::new(&p);
-        let mut seen = Seen::new(&[(0, 3), (1, 4), (2, 5)]);
+        let mut seen = Seen::new(&[]);
         let [_, end] = self.carry(&pair, *state, kind.periods, &p, &mut seen)?;
         Ok(self.group.apply(kind.symmetry, &end))
     }

@@ -37,6 +37,8 @@ pub struct Corrected {
 const ITERATIONS: usize = 8;
 /// The shift of the parameter by which the map is differenced, relative to it.
 const SHIFT: f64 = 1e-6;
+/// Least share of the parameter in a tangent from which the derivative by it is taken.
+const STEEP: f64 = 0.05;
 
 /// The derivative of the image by the parameter, by a difference: good to five or six digits, which costs Newton's
 /// method nothing and is right for any parameter, the period included.
@@ -58,7 +60,19 @@ pub fn by_parameter(
     Ok(std::array::from_fn(|i| (there[i] - image[i]) / shift))
 }
 
+/// The derivative of the image by the parameter, by what it is along the branch: (A - I) dx + slope dp = 0.
+fn slope_along(evaluation: &Evaluation, tangent: &Scaled, scale: Scale) -> State {
+    let rate = scale.state / (tangent[6] * scale.parameter);
+    std::array::from_fn(|row| {
+        let moved: f64 = (0..6).map(|column| evaluation.derivative[(row, column)] * tangent[column]).sum();
+        (tangent[row] - moved) * rate
+    })
+}
+
 /// Finds the point of the branch in the hyperplane through `place` with this normal.
+///
+/// `along`: the branch's tangent there where it is known to some digits; the derivative by the parameter follows from
+/// it, and need not be differenced.
 ///
 /// # Errors
 /// [`NumericsError::NoConvergence`] where the corrections do not shrink, [`NumericsError::Singular`] where the branch
@@ -68,6 +82,7 @@ pub fn correct(
     frame: &Frame<'_>,
     place: &Scaled,
     normal: &Scaled,
+    along: Option<&Scaled>,
 ) -> Result<Corrected, NumericsError> {
     let Frame { kind, space, scale, tolerance } = *frame;
     let mut at = projected(space, scale, place);
@@ -76,9 +91,12 @@ pub fn correct(
     for iteration in 0..ITERATIONS {
         let (state, parameter) = scale.plain(&at);
         let evaluation = family.evaluate(kind, &state, parameter)?;
-        let slope = match slope {
-            Some(slope) => slope,
-            None => {
+        let slope = match (slope, along) {
+            (Some(slope), _) => slope,
+            (None, Some(tangent)) if tangent[6].abs() > STEEP => {
+                *slope.insert(slope_along(&evaluation, tangent, scale))
+            }
+            _ => {
                 *slope.insert(by_parameter(family, kind, &state, parameter, &evaluation.image, scale)?)
             }
         };
@@ -97,6 +115,10 @@ pub fn correct(
         }
         at = projected(space, scale, &std::array::from_fn(|i| at[i] + step[i]));
         if size <= tolerance || stalled {
+            let mut evaluation = evaluation;
+            for (peak, gradient) in evaluation.peaks.iter_mut().zip(&evaluation.gradients) {
+                *peak += (0..6).map(|i| gradient[i] * step[i] * scale.state).sum::<f64>();
+            }
             let distance = norm(&minus(&at, place));
             return Ok(Corrected { at, evaluation, tangent, distance, residual: worst });
         }

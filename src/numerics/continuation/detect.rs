@@ -234,7 +234,7 @@ impl Search<'_> {
             predictor::place(self.knots, arc)
         };
         let chord = unit(&minus(&to.at, &from.at));
-        let corrected = correct(family, &self.frame, &place, &chord)?;
+        let corrected = correct(family, &self.frame, &place, &chord, None)?;
         let slack = family.slack();
         finish(corrected, arc, self.frame.space, slack)
     }

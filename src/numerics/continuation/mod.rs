@@ -65,6 +65,8 @@ pub struct Evaluation {
     pub half: State,
     /// Two numbers of the orbit that are shown along the branch.
     pub peaks: [f64; 2],
+    /// Their derivatives by the state.
+    pub gradients: [State; 2],
     /// Number of analytic pieces that the orbit visits: it changes where the orbit grazes the end of one.
     pub pieces: usize,
 }

@@ -1,6 +1,6 @@
 //! Where the next point of a branch will be: a polynomial through the last ones.
 
-use super::{Scaled, dot};
+use super::{Scaled, dot, unit};
 
 /// Most points that a prediction uses: degree 5.
 pub const MOST: usize = 6;
@@ -33,6 +33,28 @@ pub fn place(knots: &[Knot], arc: f64) -> Scaled {
             sum
         }
     }
+}
+
+/// The unit tangent at an arclength of the polynomial through at least four points; none with fewer.
+pub fn direction(knots: &[Knot], arc: f64) -> Option<Scaled> {
+    if knots.len() < 4 {
+        return None;
+    }
+    let mut sum = [0.0; 7];
+    for (index, (here, at, _)) in knots.iter().enumerate() {
+        let (mut weight, mut slope) = (1.0, 0.0);
+        for (other, (there, ..)) in knots.iter().enumerate() {
+            if other != index {
+                let factor = 1.0 / (here - there);
+                slope = (slope * (arc - there) + weight) * factor;
+                weight *= (arc - there) * factor;
+            }
+        }
+        for (sum, value) in sum.iter_mut().zip(at) {
+            *sum += slope * value;
+        }
+    }
+    Some(unit(&sum))
 }
 
 /// The cubic with these places and tangents at both points.

@@ -46,8 +46,12 @@ pub struct Shrunk {
     pub symmetry: usize,
 }
 
-/// Distance between prediction and branch that the step is set for: one correction leaves its square.
-const WISHED: f64 = 2e-5;
+/// Distance between prediction and branch at which two corrections do, over the scales: the first leaves its square.
+const FAIR: f64 = 2e-5;
+/// Part of the tolerance of the last correction that the distance is to be for one to do.
+const FINE: f64 = 0.5;
+/// Part of the longest step below which two corrections of a longer step cost less than one each of shorter ones.
+const SHORT: f64 = 0.3;
 /// Steps shorter than this part of the longest are given up.
 const SHORTEST: f64 = 1e-6;
 /// Greatest angle between the tangents at both ends of a step.
@@ -182,7 +186,8 @@ impl Trace {
             normal[6] = (end - last.at[6]).signum();
         }
         let frame = self.frame();
-        let mut corrected = correct(family, &frame, &place, &normal)?;
+        let along = if leaving.is_none() { predictor::direction(&knots, arc) } else { None };
+        let mut corrected = correct(family, &frame, &place, &normal, along.as_ref())?;
         let chord = minus(&corrected.at, &last.at);
         let stretch = norm(&chord);
         if leaving.is_some() {
@@ -215,8 +220,13 @@ impl Trace {
         self.points.push(point);
         self.smooth += 1;
         let order = knots.len().max(4).min(MOST) as f64;
-        let growth = (WISHED / distance.max(1e-300)).powf(1.0 / order);
-        self.step = (self.step * growth.clamp(0.4, 1.8)).min(self.bounds.longest);
+        let for_distance = |wished: f64| {
+            let growth = (wished / distance.max(1e-300)).powf(1.0 / order);
+            (self.step * growth.clamp(0.4, 1.8)).min(self.bounds.longest)
+        };
+        let fine = for_distance(FINE * self.bounds.tolerance);
+        let shortest = SHORT * self.bounds.longest;
+        self.step = if fine >= shortest { fine } else { for_distance(FAIR).min(shortest.max(fine)) };
         if closed {
             self.end = Some(End::Closed);
         } else if leaving.is_some() {

@@ -114,7 +114,7 @@ pub fn start(
     let mut failure = NumericsError::Singular;
     for distance in DISTANCES {
         let place: Scaled = std::array::from_fn(|i| at.at[i] + distance * birth.towards[i]);
-        match correct(family, &frame, &place, &birth.towards) {
+        match correct(family, &frame, &place, &birth.towards, None) {
             // Beyond a few times the distance it is not what is born here.
             Ok(corrected) if corrected.distance < 0.5 * distance => {
                 let mut corrected = corrected;
@@ -256,7 +256,7 @@ fn on_parent(
     let mut distance = |parameter: f64, from: &Scaled| -> Option<(f64, Scaled)> {
         let mut place = *from;
         place[6] = parameter;
-        let corrected = correct(family, &frame, &place, &normal).ok()?;
+        let corrected = correct(family, &frame, &place, &normal, None).ok()?;
         let point = finish(corrected, 0.0, &space, slack).ok()?;
         let spectrum = point.linear.spectrum;
         let nearest = (0..6).filter(|&i| spectrum.im[i] == 0.0).map(|i| spectrum.re[i] - target);
