@@ -101,8 +101,7 @@ pub struct BranchOptions {
     /// A state near an orbit of the branch at t = 0, at the given parameters; none: as
     /// [`periodic_orbit`](super::orbit::periodic_orbit) finds it there.
     pub from: Option<[f64; 6]>,
-    /// Most points each way from the start, 2 to 100,000; without a longest step the steps are also such that a branch
-    /// across the range takes some part of them.
+    /// Most points each way from the start, 2 to 100,000. The fewer, the longer the steps, within bounds.
     pub points: usize,
     /// Longest step in the parameter.
     pub max_step: Option<f64>,
@@ -111,14 +110,14 @@ pub struct BranchOptions {
 }
 
 impl BranchOptions {
-    /// Over Omega within a range, 400 points each way at most, to 1e-10.
+    /// Over Omega within a range, 1000 points each way at most, to 1e-10.
     pub fn new(range: [f64; 2], period: usize) -> Self {
         Self {
             parameter: "Omega",
             range,
             period,
             from: None,
-            points: 400,
+            points: 1000,
             max_step: None,
             tolerance: 1e-10,
         }
@@ -139,6 +138,11 @@ pub enum BranchEnd {
     Points,
     /// It came back to where it began.
     Closed,
+    /// Its multipliers have grown so large that double precision does not resolve the orbits any more.
+    Steep {
+        /// Largest entry of the linearisation there.
+        entry: f64,
+    },
     /// It could not be followed any further.
     Lost {
         /// Why.
@@ -182,6 +186,8 @@ pub struct Branch {
 
 /// Steps granted to one branch: some seconds.
 const STEPS: usize = 1_000_000;
+/// Longest step of all, over the scales.
+const LONGEST_STEP: f64 = 0.06;
 /// Length of the last correction of a point, over the scales, at the default tolerance.
 const LAST_CORRECTION: f64 = 1e-8;
 
@@ -237,10 +243,10 @@ pub(crate) fn bounds(p: &Parameters, options: &BranchOptions) -> Bounds {
     let size = |k: f64, alpha: f64| (k / alpha.abs()).sqrt();
     let state = size(p.k_p, p.alpha_p).min(size(p.k_g, p.alpha_g)).clamp(0.1, 5.0);
     let scale = Scale { state, parameter: high - low };
-    let even = 6.0 / options.points as f64;
+    let even = (8.0 / options.points as f64).clamp(0.03, LONGEST_STEP);
     let longest = options.max_step.map_or(even, |step| step / scale.parameter);
     let tolerance = LAST_CORRECTION * (options.tolerance / 1e-10).clamp(0.1, 1e3);
-    Bounds { range: options.range, scale, longest: longest.min(0.06), points: options.points, tolerance }
+    Bounds { range: options.range, scale, longest: longest.min(LONGEST_STEP), points: options.points, tolerance }
 }
 
 /// Two states as near as this, over the scale, are one.
@@ -419,6 +425,7 @@ fn ended(family: &mut GearFamily, trace: &mut Trace) -> (BranchEnd, Option<Natur
         Some(End::Range) | None => (BranchEnd::Range, None),
         Some(End::Points) => (BranchEnd::Points, None),
         Some(End::Closed) => (BranchEnd::Closed, None),
+        Some(End::Steep(entry)) => (BranchEnd::Steep { entry }, None),
         Some(End::Lost(reason)) => (BranchEnd::Lost { reason }, None),
         Some(End::Shrunk(shrunk)) => match switch::finish_shrunk(family, trace, shrunk) {
             Ok((parent, nature)) => (BranchEnd::BornFrom { period: parent.period() }, Some(nature)),

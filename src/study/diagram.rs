@@ -87,7 +87,7 @@ const STEPS: usize = 4_000_000;
 /// Steps of one slice of work: about ten milliseconds.
 const SLICE: usize = 5_000;
 /// Points of a branch each way.
-const POINTS: usize = 400;
+const POINTS: usize = 1000;
 
 impl DiagramWork {
     /// Finds the steady response from which the diagram starts.

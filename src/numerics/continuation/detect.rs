@@ -17,6 +17,8 @@ pub struct Tests {
     pub minus: f64,
     /// Product of `1 - mu_i mu_j` over all pairs: zero where a complex pair is on the unit circle.
     pub pair: f64,
+    /// Least distance of a multiplier from the unit circle; 1 for an undamped system.
+    pub margin: f64,
     /// Number of multipliers outside the unit circle.
     pub outside: usize,
 }
@@ -97,7 +99,7 @@ fn tests(spectrum: &Spectrum, size: usize, slack: f64) -> Tests {
     let value = |i: usize| (spectrum.re[i], spectrum.im[i]);
     let times = |(a, b): (f64, f64), (c, d): (f64, f64)| (a * c - b * d, a * d + b * c);
     let (mut plus, mut minus, mut pair) = ((1.0, 0.0), (1.0, 0.0), (1.0, 0.0));
-    let mut outside = 0;
+    let (mut outside, mut margin) = (0, 1.0_f64);
     for i in 0..size {
         let (re, im) = value(i);
         plus = times(plus, (re - 1.0, im));
@@ -106,10 +108,14 @@ fn tests(spectrum: &Spectrum, size: usize, slack: f64) -> Tests {
             let (x, y) = times((re, im), value(j));
             pair = times(pair, (1.0 - x, -y));
         }
-        outside += usize::from(re.hypot(im) > 1.0 + slack);
+        let modulus = re.hypot(im);
+        outside += usize::from(modulus > 1.0 + slack);
+        if slack == 0.0 {
+            margin = margin.min((modulus - 1.0).abs());
+        }
     }
     // Undamped, the multipliers come in reciprocal pairs, and the product is zero everywhere.
-    Tests { plus: plus.0, minus: minus.0, pair: if slack > 0.0 { 0.0 } else { pair.0 }, outside }
+    Tests { plus: plus.0, minus: minus.0, pair: if slack > 0.0 { 0.0 } else { pair.0 }, margin, outside }
 }
 
 /// What happens at a point of a branch.
@@ -221,7 +227,10 @@ impl Search<'_> {
     }
 
     /// The point of the branch at an arclength between two points.
-    fn point(
+    ///
+    /// # Errors
+    /// As [`correct`].
+    pub fn point(
         &self,
         family: &mut dyn Family,
         from: &Point,
@@ -386,6 +395,42 @@ pub fn changes(from: &Point, to: &Point) -> Vec<(Sign, usize)> {
         changes.push((Sign::Touch, 0));
     }
     changes
+}
+
+/// A dip deeper than this part of the values around it may go through zero between the points.
+const DEEP: f64 = 0.5;
+
+/// Where between three neighbouring points of a branch, none of which differs from the next in what [`changes`] tells,
+/// a test function may come near zero and turn back: there two bifurcations can lie closer together than the points.
+pub fn dip(points: [&Point; 3]) -> Option<f64> {
+    let [left, middle, right] = points;
+    if points.iter().any(|point| point.singular) {
+        return None;
+    }
+    let values = |point: &Point| {
+        let [first, second] = &point.linear.blocks;
+        [first.plus, first.minus, first.margin, second.plus, second.minus, second.margin]
+    };
+    let used = 3 * left.linear.count;
+    let (at_left, at_middle, at_right) = (values(left), values(middle), values(right));
+    let (before, after) = (middle.arc - left.arc, right.arc - middle.arc);
+    (0..used).find_map(|index| {
+        let sign = at_middle[index].signum();
+        let [f0, f1, f2] = [at_left, at_middle, at_right].map(|all| all[index] * sign);
+        // The parabola through the three, about the middle one.
+        let (rise, fall) = ((f2 - f1) / after, (f1 - f0) / before);
+        let bend = (rise - fall) / (before + after);
+        let slope = (rise * before + fall * after) / (before + after);
+        if !(f0 > 0.0 && f2 > 0.0 && bend > 0.0) {
+            return None;
+        }
+        let at = -0.5 * slope / bend;
+        let least = f1 - 0.25 * slope * slope / bend;
+        let inside = at > -before && at < after;
+        // Near one of the points nothing new would be seen.
+        let new = [-before, 0.0, after].iter().all(|known| (at - known).abs() > 1e-3 * (before + after));
+        (inside && new && least < DEEP * f0.min(f1).min(f2)).then_some(middle.arc + at)
+    })
 }
 
 /// The direction in which a multiplier of +1 or -1 acts: the null vector of A -+ I within a block.

@@ -1,7 +1,7 @@
 //! Following a branch step by step, one way, until it ends.
 
 use super::corrector::{Frame, correct};
-use super::detect::{Located, Point, Search, finish};
+use super::detect::{self, Located, Point, Search, finish};
 use super::predictor::{self, Knot, MOST};
 use super::symmetry::{Group, Space};
 use super::{Family, Path, Scale, State, dot, minus, norm};
@@ -33,6 +33,8 @@ pub enum End {
     Closed,
     /// It shrank onto orbits of shorter period or higher symmetry, whose map and element are given.
     Shrunk(Shrunk),
+    /// The linearisation, whose largest entry is given, has grown so that rounding decides where the orbit goes.
+    Steep(f64),
     /// It could not be followed any further.
     Lost(NumericsError),
 }
@@ -56,6 +58,13 @@ const SHORT: f64 = 0.3;
 const SHORTEST: f64 = 1e-6;
 /// Greatest angle between the tangents at both ends of a step.
 const ANGLE: f64 = 0.3;
+/// Angle between the tangents that the step is set for.
+const GENTLE: f64 = 0.1;
+/// Largest entry of a linearisation from which points, and what happens between them, are still found: beyond, a
+/// rounding error grows to the size of the tolerance within the period.
+const STEEPEST: f64 = 1e7;
+/// Most points that are added between three others.
+const MOST_DIPS: usize = 8;
 /// Greatest change of the linearisation over a step, relative to its size.
 const CHANGE: f64 = 0.4;
 
@@ -111,6 +120,11 @@ impl Trace {
             self.end = Some(End::Points);
             return true;
         }
+        let steepness = self.last().evaluation.derivative.amax();
+        if steepness > STEEPEST {
+            self.end = Some(End::Steep(steepness));
+            return true;
+        }
         match self.try_step(family) {
             Ok(true) => self.refused = 0,
             Ok(false) => self.shorten(None),
@@ -153,6 +167,11 @@ impl Trace {
             scale: self.bounds.scale,
             tolerance: self.bounds.tolerance,
         }
+    }
+
+    /// For what is located: every point is corrected once more.
+    fn fine_frame(&self) -> Frame<'_> {
+        Frame { tolerance: 1e-3 * self.bounds.tolerance, ..self.frame() }
     }
 
     fn knots(&self) -> Vec<Knot> {
@@ -219,6 +238,7 @@ impl Trace {
         self.search(family, &last, &point)?;
         self.points.push(point);
         self.smooth += 1;
+        self.look_between(family);
         let order = knots.len().max(4).min(MOST) as f64;
         let for_distance = |wished: f64| {
             let growth = (wished / distance.max(1e-300)).powf(1.0 / order);
@@ -226,7 +246,9 @@ impl Trace {
         };
         let fine = for_distance(FINE * self.bounds.tolerance);
         let shortest = SHORT * self.bounds.longest;
-        self.step = if fine >= shortest { fine } else { for_distance(FAIR).min(shortest.max(fine)) };
+        let straight = self.step * (GENTLE / bend.min(1.0).acos().max(1e-3)).max(0.5);
+        let fair = for_distance(FAIR).min(shortest.max(fine));
+        self.step = if fine >= shortest { fine } else { fair }.min(straight);
         if closed {
             self.end = Some(End::Closed);
         } else if leaving.is_some() {
@@ -242,16 +264,52 @@ impl Trace {
             knots.remove(0);
         }
         knots.push(point.knot());
-        let mut search = Search { frame: self.frame(), knots: &knots, found: Vec::new() };
+        let mut search = Search { frame: self.fine_frame(), knots: &knots, found: Vec::new() };
         search.between(family, last, point, 0)?;
         let found = search.found;
         // Where the orbit grazes, the branch has a kink in its second derivative.
-        if found.iter().any(|located| located.sign == super::detect::Sign::Touch) {
+        if found.iter().any(|located| located.sign == detect::Sign::Touch) {
             self.smooth = 0;
         }
         let index = self.points.len() - 1;
         self.found.extend(found.into_iter().map(|located| (index, located)));
         Ok(())
+    }
+
+    /// Looks where test functions dip between the last three points, and adds a point where they do.
+    fn look_between(&mut self, family: &mut dyn Family) {
+        for _ in 0..MOST_DIPS {
+            let count = self.points.len();
+            if self.smooth < 3 || count < 3 {
+                return;
+            }
+            let [left, middle, right] = [3, 2, 1].map(|back| self.points[count - back]);
+            let Some(arc) = detect::dip([&left, &middle, &right]) else { return };
+            let (from, to, place) =
+                if arc < middle.arc { (left, middle, count - 2) } else { (middle, right, count - 1) };
+            let known = self.found.iter().any(|(index, _)| *index + 1 == place);
+            if known {
+                return;
+            }
+            let knots = self.knots();
+            let mut search = Search { frame: self.fine_frame(), knots: &knots, found: Vec::new() };
+            let Ok(point) = search.point(family, &from, &to, arc) else { return };
+            let both = search.between(family, &from, &point, 0);
+            let left_of_it = search.found.len();
+            if both.is_err() || search.between(family, &point, &to, 0).is_err() {
+                return;
+            }
+            let found = std::mem::take(&mut search.found);
+            for (index, _) in &mut self.found {
+                *index += usize::from(*index >= place);
+            }
+            for (order, located) in found.into_iter().enumerate() {
+                self.found.push((if order < left_of_it { place - 1 } else { place }, located));
+            }
+            self.found.sort_unstable_by(|a, b| a.1.point.arc.total_cmp(&b.1.point.arc));
+            self.points.insert(place, point);
+            self.smooth += 1;
+        }
     }
 
     /// Whether the orbits shrink onto more symmetric or shorter ones between two points: what parts them from those
