@@ -1,170 +1,183 @@
-//! Several motions on the manifold `u_g = -u_p` at once, side by side as lanes: for studies that follow thousands of
-//! starts.
+//! The equations of motion and their variational equations on the manifold `u_g = -u_p` of equal supports (24).
 //!
-//! With equal supports the manifold is invariant, and what is left of (22) on it is, with `s = 1 + k0 cos(Omega t)`,
+//! There the half sum S of both displacements is zero, and in the linearisation it decouples from the half
+//! difference a = u_p and from u, so that of the 36 numbers of the derivative 20 remain: four by four within the
+//! manifold and two by two across it.
 //!
 //! ```text
-//! m u_p'' = -2 zeta_s u_p' - k u_p - alpha u_p^3 - F_m,    F_m = 2 zeta u' + s f(u),
-//!   u''   = 2 u_p'' - F_m + F + F_p cos(Omega_p t) + F_g cos(Omega_g t) + Omega^2 E cos(Omega t).
+//! m a'' = -2 zeta_s a' - k a - alpha a^3 - (2 zeta u' + s f(u)),   u'' = 2 a'' - (2 zeta u' + s f(u)) + load
+//! m S'' = -2 zeta_s S' - (k + 3 alpha a^2) S
 //! ```
 
-use crate::model::equations::Forcing;
-use crate::model::parameters::{Parameters, Regime};
+use crate::model::equations::{Contact, Forcing, GearPair, contact, contact_boundaries};
+use crate::model::parameters::Parameters;
 use crate::numerics::ode::taylor::{Boundary, Series, TaylorField};
 
-/// Motions side by side.
-pub const LANES: usize = 4;
-/// Coordinates of all of them: `u_p` of each, then `u`, `u_p'`, `u'`.
-pub const SIZE: usize = 4 * LANES;
+/// Number of coordinates: `a, u, a', u'`, then rows of the derivative by the start: of a (four columns) and S (two),
+/// of a' and S', of u (four), of u'.
+pub const SIZE: usize = 24;
+/// Index of u.
+const U: usize = 1;
 
-/// A gear pair with equal supports and one tooth function, restricted to the manifold.
+/// A gear pair with equal supports on its manifold.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OnManifold {
-    parameters: Parameters,
-    /// Offset of `f(u) = u - offset`.
-    offset: f64,
+pub struct Manifold {
+    pair: GearPair,
 }
 
-impl OnManifold {
-    /// None where the supports differ or the teeth can part: then the motion may leave the manifold, or its field has
-    /// pieces, which the lanes would enter at different times.
-    pub fn new(p: &Parameters) -> Option<Self> {
-        p.symmetric().ok()?;
-        let offset = match p.regime {
-            Regime::Homogeneous => 0.0,
-            Regime::Contact => 1.0,
-            Regime::Backlash => return None,
-        };
-        Some(Self { parameters: *p, offset })
+/// Whether a state is on the manifold, to the last bit.
+pub fn holds(state: &[f64; 6]) -> bool {
+    state[0] == -state[1] && state[3] == -state[4]
+}
+
+impl Manifold {
+    /// On the manifold of this pair; none where the supports differ.
+    pub fn of(p: &Parameters) -> Option<Self> {
+        p.symmetric().is_ok().then(|| Self { pair: GearPair::new(p) })
     }
 }
 
-/// Puts a state, whose gear is opposed to its pinion, into a lane.
-pub fn set_lane(all: &mut [f64; SIZE], lane: usize, state: &[f64; 6]) {
-    for (place, coordinate) in [0, 2, 3, 5].into_iter().enumerate() {
-        all[place * LANES + lane] = state[coordinate];
+/// The state with the identity as its derivative.
+pub fn start(state: &[f64; 6]) -> [f64; SIZE] {
+    let mut all = [0.0; SIZE];
+    (all[0], all[1], all[2], all[3]) = (state[0], state[2], state[3], state[5]);
+    all[4] = 1.0;
+    all[8] = 1.0;
+    all[12] = 1.0;
+    all[15] = 1.0;
+    all[17] = 1.0;
+    all[23] = 1.0;
+    all
+}
+
+/// The state of all six coordinates.
+pub fn full(all: &[f64; SIZE]) -> [f64; 6] {
+    [all[0], -all[0], all[1], all[2], -all[2], all[3]]
+}
+
+/// The state and the rows of its 6 x 6 derivative.
+pub fn split(all: &[f64; SIZE]) -> ([f64; 6], [[f64; 6]; 6]) {
+    // Rows of the half difference and of u by a, u, a', u'; rows of the half sum by S, S'.
+    let take = |from: usize| -> [f64; 4] { std::array::from_fn(|i| all[from + i]) };
+    let (a, a_dot, u, u_dot) = (take(4), take(10), take(16), take(20));
+    let (s, s_dot) = ([all[8], all[9]], [all[14], all[15]]);
+    // u_p = a + S, u_g = S - a; a = (u_p - u_g) / 2, S = (u_p + u_g) / 2.
+    let body = |a: [f64; 4], s: [f64; 2], sign: f64| {
+        let half = |i: usize| 0.5 * sign * a[i];
+        [
+            half(0) + 0.5 * s[0],
+            -half(0) + 0.5 * s[0],
+            sign * a[1],
+            half(2) + 0.5 * s[1],
+            -half(2) + 0.5 * s[1],
+            sign * a[3],
+        ]
+    };
+    let rows = [
+        body(a, s, 1.0),
+        body(a, s, -1.0),
+        gradient(&u),
+        body(a_dot, s_dot, 1.0),
+        body(a_dot, s_dot, -1.0),
+        gradient(&u_dot),
+    ];
+    (full(all), rows)
+}
+
+/// A derivative by (a, u, a', u') as one by all six coordinates.
+pub fn gradient(row: &[f64; 4]) -> [f64; 6] {
+    [0.5 * row[0], -0.5 * row[0], row[1], 0.5 * row[2], -0.5 * row[2], row[3]]
+}
+
+impl TaylorField<SIZE> for Manifold {
+    type Piece = Contact;
+
+    fn piece(&self, time: f64, state: &[f64; SIZE]) -> Contact {
+        contact(&self.pair, time, &full(state))
     }
-}
 
-/// The state in a lane.
-pub fn lane(all: &[f64; SIZE], lane: usize) -> [f64; 6] {
-    let at = |place: usize| all[place * LANES + lane];
-    [at(0), -at(0), at(1), at(2), -at(2), at(3)]
-}
-
-type Lanes = [f64; LANES];
-
-#[inline]
-fn add_product(sum: &mut Lanes, left: &Lanes, right: &Lanes) {
-    for lane in 0..LANES {
-        sum[lane] += left[lane] * right[lane];
-    }
-}
-
-impl TaylorField<SIZE> for OnManifold {
-    type Piece = ();
-
-    fn piece(&self, _time: f64, _state: &[f64; SIZE]) {}
-
-    fn boundaries(&self, _piece: ()) -> [Option<Boundary>; 2] {
-        [None, None]
+    fn boundaries(&self, piece: Contact) -> [Option<Boundary>; 2] {
+        contact_boundaries(piece).map(|end| end.map(|boundary| Boundary { coordinate: U, ..boundary }))
     }
 
     fn series<const LEN: usize>(
         &self,
-        _piece: (),
+        piece: Contact,
         time: f64,
         state: &[f64; SIZE],
         series: &mut Series<SIZE, LEN>,
     ) {
-        let p = &self.parameters;
+        let p = &self.pair.parameters;
         let forcing = Forcing::<LEN>::new(p, time);
-        let inverse_mass = 1.0 / p.m_p;
-        let (mut position, mut square, mut tooth) =
-            ([[0.0; LANES]; LEN], [[0.0; LANES]; LEN], [[0.0; LANES]; LEN]);
+        let (slope, offset) = piece.line();
+        let (inverse_mass, damping, mesh_damping) = (1.0 / p.m_p, 2.0 * p.zeta_p, 2.0 * p.zeta);
+        // The rows of the derivative that enter products, each coefficient's lanes side by side.
+        let mut displacements = [[0.0; 6]; LEN];
+        let mut teeth = [[0.0; 4]; LEN];
+        let mut square = [0.0; LEN];
+        let nonlinear = p.alpha_p != 0.0;
         series[0] = *state;
         for n in 0..LEN - 1 {
-            let row = &series[n];
-            let part = |place: usize| -> Lanes { std::array::from_fn(|lane| row[place * LANES + lane]) };
-            let (u_p, u, v, w) = (part(0), part(1), part(2), part(3));
-            position[n] = u_p;
-            tooth[n] = if n == 0 { u.map(|u| u - self.offset) } else { u };
-            let mut mesh: Lanes = std::array::from_fn(|lane| 2.0 * p.zeta * w[lane] + tooth[n][lane]);
-            for (pulsation, tooth) in forcing.pulsation[..=n].iter().rev().zip(&tooth) {
-                for lane in 0..LANES {
-                    mesh[lane] += pulsation * tooth[lane];
+            let row = series[n];
+            displacements[n].copy_from_slice(&row[4..10]);
+            teeth[n].copy_from_slice(&row[16..20]);
+            let (mut cube, mut linear_cube) = (0.0, [0.0; 6]);
+            if nonlinear {
+                square[n] = (0..=n).map(|j| series[j][0] * series[n - j][0]).sum();
+                cube = (0..=n).map(|j| square[j] * series[n - j][0]).sum();
+                linear_cube = convolved(&square, &displacements, n);
+            }
+            let (mut tooth, mut linear_tooth) = (0.0, [0.0; 4]);
+            if slope != 0.0 {
+                tooth = (0..=n).map(|j| forcing.pulsation[j] * series[n - j][U]).sum::<f64>() + row[U];
+                tooth -= offset * (forcing.pulsation[n] + if n == 0 { 1.0 } else { 0.0 });
+                linear_tooth = convolved(&forcing.pulsation, &teeth, n);
+                for lane in 0..4 {
+                    linear_tooth[lane] += teeth[n][lane];
                 }
             }
-            let mut cube = [0.0; LANES];
-            if p.alpha_p != 0.0 {
-                // Twice the products of the first half, and the middle's own square.
-                for j in 0..n.div_ceil(2) {
-                    add_product(&mut square[n], &position[j], &position[n - j]);
-                }
-                square[n] = square[n].map(|half| 2.0 * half);
-                if n % 2 == 0 {
-                    let middle = position[n / 2];
-                    add_product(&mut square[n], &middle, &middle);
-                }
-                for (square, position) in square[..=n].iter().rev().zip(&position) {
-                    add_product(&mut cube, square, position);
-                }
-            }
+            let mesh = mesh_damping * row[3] + tooth;
+            let a = -(damping * row[2] + p.k_p * row[0] + p.alpha_p * cube + mesh) * inverse_mass;
             let rate = 1.0 / (n + 1) as f64;
+            let mut linear_mesh = [0.0; 6];
+            for lane in 0..4 {
+                linear_mesh[lane] = mesh_damping * row[20 + lane] + linear_tooth[lane];
+            }
             let next = &mut series[n + 1];
-            for lane in 0..LANES {
-                let support = 2.0 * p.zeta_p * v[lane] + p.k_p * u_p[lane] + p.alpha_p * cube[lane];
-                let a = -(support + mesh[lane]) * inverse_mass;
-                next[lane] = v[lane] * rate;
-                next[LANES + lane] = w[lane] * rate;
-                next[2 * LANES + lane] = a * rate;
-                next[3 * LANES + lane] = (2.0 * a - mesh[lane] + forcing.load[n]) * rate;
+            next[0] = row[2] * rate;
+            next[1] = row[3] * rate;
+            next[2] = a * rate;
+            next[3] = (2.0 * a - mesh + forcing.load[n]) * rate;
+            let mut accelerations = [0.0; 6];
+            for lane in 0..6 {
+                accelerations[lane] = -(damping * row[10 + lane]
+                    + p.k_p * row[4 + lane]
+                    + 3.0 * p.alpha_p * linear_cube[lane]
+                    + linear_mesh[lane])
+                    * inverse_mass;
+                next[4 + lane] = row[10 + lane] * rate;
+                next[10 + lane] = accelerations[lane] * rate;
+            }
+            for lane in 0..4 {
+                next[16 + lane] = row[20 + lane] * rate;
+                next[20 + lane] = (2.0 * accelerations[lane] - linear_mesh[lane]) * rate;
             }
         }
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::model::equations::GearPair;
-    use crate::numerics::ode::taylor::{Options, integrate};
-
-    #[test]
-    fn every_lane_is_the_motion_of_the_whole_model() {
-        let contact = Parameters {
-            regime: Regime::Contact,
-            load: 0.7,
-            error: 0.1,
-            load_p: 0.2,
-            omega_p: 0.8,
-            zeta_p: 0.05,
-            zeta_g: 0.05,
-            ..Parameters::default()
-        };
-        for p in [Parameters::default(), contact] {
-            let lanes = OnManifold::new(&p).expect("equal supports");
-            let starts: [[f64; 6]; LANES] = std::array::from_fn(|lane| {
-                let x = 0.3 * lane as f64 - 0.4;
-                [x, -x, 1.0 + 0.5 * x, 0.2, -0.2, -x]
-            });
-            let mut all = [0.0; SIZE];
-            starts.iter().enumerate().for_each(|(index, start)| set_lane(&mut all, index, start));
-            let options = Options { tolerance: 1e-13, ..Options::default() };
-            let end = integrate::<_, SIZE, 13>(&lanes, 0.3, all, 9.0, options).expect("integrates");
-            for (index, start) in starts.into_iter().enumerate() {
-                let expected =
-                    integrate::<_, 6, 17>(&GearPair::new(&p), 0.3, start, 9.0, options).expect("integrates");
-                for (found, expected) in lane(&end, index).into_iter().zip(expected) {
-                    assert!((found - expected).abs() < 1e-11, "{index}: {found} {expected}");
-                }
-            }
+/// The n-th coefficient of the product of a series with several others, all lanes at once.
+#[inline]
+pub(crate) fn convolved<const LANES: usize, const LEN: usize>(
+    factor: &[f64; LEN],
+    series: &[[f64; LANES]; LEN],
+    n: usize,
+) -> [f64; LANES] {
+    let mut sum = [0.0; LANES];
+    for (factor, lanes) in factor[..=n].iter().rev().zip(&series[..=n]) {
+        for lane in 0..LANES {
+            sum[lane] += factor * lanes[lane];
         }
     }
-
-    #[test]
-    fn where_the_manifold_is_not_invariant_there_are_no_lanes() {
-        assert!(OnManifold::new(&Parameters { k_g: 6.0, ..Parameters::default() }).is_none());
-        assert!(OnManifold::new(&Parameters { regime: Regime::Backlash, ..Parameters::default() }).is_none());
-    }
+    sum
 }

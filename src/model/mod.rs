@@ -2,6 +2,7 @@
 
 mod coefficients;
 pub mod equations;
+pub mod lanes;
 pub mod linear;
 pub mod manifold;
 pub mod parameters;

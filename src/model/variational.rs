@@ -6,6 +6,7 @@
 //! there: only its matrix switches, together with the piece of the motion.
 
 use crate::model::equations::{Contact, Forcing, GearPair, U, contact, contact_boundaries};
+use crate::model::manifold::convolved;
 use crate::numerics::ode::taylor::{Boundary, Series, TaylorField};
 
 /// Number of coordinates: six of the motion and 36 of its derivative.
@@ -82,15 +83,19 @@ impl TaylorField<SIZE> for Variational {
         six.copy_from_slice(&state[..6]);
         self.pair.series(piece, time, &six, &mut motion);
         let squares = squares(&motion);
+        let nonlinear = cubic != [0.0; 2];
+        // The rows of the derivative that enter products, each coefficient's lanes side by side.
+        let mut displacements = [[[0.0; 6]; LEN]; 3];
         series[0] = *state;
         for n in 0..LEN - 1 {
             let row = series[n];
+            for (i, displacement) in displacements.iter_mut().enumerate() {
+                displacement[n] = lanes(&row, i);
+            }
             let mut mesh = [0.0; 6];
             if slope != 0.0 {
-                mesh = lanes(&row, U);
-                for j in 0..=n {
-                    add_scaled(&mut mesh, forcing.pulsation[n - j], &lanes(&series[j], U));
-                }
+                mesh = convolved(&forcing.pulsation, &displacements[U], n);
+                add_scaled(&mut mesh, 1.0, &displacements[U][n]);
             }
             add_scaled(&mut mesh, 2.0 * p.zeta, &lanes(&row, 5));
             let mut accelerations = [[0.0; 6]; 3];
@@ -100,11 +105,10 @@ impl TaylorField<SIZE> for Variational {
                     force = force.map(|value| -value);
                 }
                 add_scaled(&mut force, damping[i], &lanes(&row, 3 + i));
-                add_scaled(&mut force, stiffness[i], &lanes(&row, i));
-                if cubic[i] != 0.0 {
-                    for j in 0..=n {
-                        add_scaled(&mut force, 3.0 * cubic[i] * squares[n - j][i], &lanes(&series[j], i));
-                    }
+                add_scaled(&mut force, stiffness[i], &displacements[i][n]);
+                if nonlinear {
+                    let cubes = convolved(&squares[i], &displacements[i], n);
+                    add_scaled(&mut force, 3.0 * cubic[i], &cubes);
                 }
                 accelerations[i] = force.map(|value| -value * inverse_mass[i]);
             }
@@ -125,15 +129,17 @@ impl TaylorField<SIZE> for Variational {
     }
 }
 
-/// Coefficients of `u_p^2` and `u_g^2`.
-fn squares<const LEN: usize>(motion: &Series<6, LEN>) -> [[f64; 2]; LEN] {
-    let mut squares = [[0.0; 2]; LEN];
+/// Coefficients of `u_p^2` and of `u_g^2`.
+fn squares<const LEN: usize>(motion: &Series<6, LEN>) -> [[f64; LEN]; 2] {
+    let mut squares = [[0.0; LEN]; 2];
     for n in 0..LEN {
+        let mut sum = [0.0; 2];
         for j in 0..=n {
             for lane in 0..2 {
-                squares[n][lane] += motion[j][lane] * motion[n - j][lane];
+                sum[lane] += motion[j][lane] * motion[n - j][lane];
             }
         }
+        (squares[0][n], squares[1][n]) = (sum[0], sum[1]);
     }
     squares
 }

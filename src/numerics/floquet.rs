@@ -91,6 +91,11 @@ fn householder(attempt: usize) -> Matrix6 {
     Matrix6::identity() - 2.0 * direction * direction.transpose()
 }
 
+/// Six numbers, real and imaginary parts, in the order of a spectrum.
+pub fn ordered(values: [(f64, f64); 6]) -> Spectrum {
+    sorted(&values.map(|(re, im)| Complex::new(re, im)), 1.0)
+}
+
 fn sorted(eigenvalues: &[Complex<f64>], scale: f64) -> Spectrum {
     let mut ordered = [Complex::new(0.0, 0.0); 6];
     ordered.copy_from_slice(eigenvalues);

@@ -2,9 +2,12 @@
 
 pub mod basin;
 pub mod benchmark;
+pub mod branch;
 pub mod chart_work;
 pub mod contact;
+pub mod diagram;
 pub mod edge_function;
+pub mod family;
 pub mod grid;
 pub mod linear_floquet;
 pub mod lyapunov;

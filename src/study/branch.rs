@@ -1,0 +1,565 @@
+//! Branches of periodic orbits over any parameter, with every bifurcation on them.
+
+use super::ErrorEstimate;
+use super::family::{GearFamily, SWAP, parameter_named};
+use super::motion;
+use super::multipliers::{trivial_state, unloaded};
+use super::orbit::{self, LONGEST, OrbitOptions};
+use crate::error::{NumericsError, StudyError};
+use crate::model::equations::GearPair;
+use crate::model::parameters::Parameters;
+use crate::numerics::continuation::corrector::{self, Frame};
+use crate::numerics::continuation::detect::{Located, Point, finish};
+use crate::numerics::continuation::step::{Bounds, End, Trace};
+use crate::numerics::continuation::switch::{self, Birth, Nature};
+use crate::numerics::continuation::symmetry::Space;
+use crate::numerics::continuation::{Family, Kind, Path, Scale, State};
+use crate::numerics::floquet::{self, Spectrum};
+use crate::numerics::newton;
+use crate::numerics::periodic::fixed_point;
+
+/// What happens at a point of a branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EventKind {
+    /// The parameter turns back.
+    Fold,
+    /// Orbits of twice the period are born.
+    PeriodDoubling,
+    /// Orbits that lack a symmetry are born.
+    Pitchfork,
+    /// A torus is born.
+    NeimarkSacker,
+    /// Two branches cross.
+    BranchPoint,
+    /// The teeth touch, or part, with no relative velocity.
+    Grazing,
+}
+
+impl EventKind {
+    /// The word for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fold => "fold",
+            Self::PeriodDoubling => "period-doubling",
+            Self::Pitchfork => "pitchfork",
+            Self::NeimarkSacker => "neimark-sacker",
+            Self::BranchPoint => "branch-point",
+            Self::Grazing => "grazing",
+        }
+    }
+}
+
+/// Which symmetry a pitchfork breaks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Breaks {
+    /// u to -u, about the unloaded state.
+    Sign,
+    /// Pinion and gear exchanged: the born orbits leave the manifold `u_g = -u_p`.
+    Exchange,
+}
+
+impl Breaks {
+    /// The word for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sign => "sign",
+            Self::Exchange => "exchange",
+        }
+    }
+}
+
+/// A point of a branch at which something happens.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BranchEvent {
+    /// What.
+    pub kind: EventKind,
+    /// Value of the parameter.
+    pub value: f64,
+    /// State at t = 0.
+    pub state: [f64; 6],
+    /// Of a pitchfork, the symmetry that it breaks.
+    pub breaks: Option<Breaks>,
+    /// Greatest |u_p| of the orbit.
+    pub max_u_p: f64,
+    /// Greatest |u| of the orbit.
+    pub max_u: f64,
+    /// Of a period doubling or pitchfork: the born orbits are on the side where the old one is less stable.
+    pub supercritical: Option<bool>,
+    /// Index of the point of the branch that it comes after, or is.
+    pub after: usize,
+}
+
+/// What to follow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BranchOptions {
+    /// A number of the model, by its full or short name.
+    pub parameter: &'static str,
+    /// Least and greatest value of it.
+    pub range: [f64; 2],
+    /// Period in mesh periods, 1 to [`LONGEST`]; 1 stands for the common period of mesh and load.
+    pub period: usize,
+    /// A state near an orbit of the branch at t = 0, at the given parameters; none: as
+    /// [`periodic_orbit`](super::orbit::periodic_orbit) finds it there.
+    pub from: Option<[f64; 6]>,
+    /// Most points each way from the start, 2 to 100,000. The fewer, the longer the steps, within bounds.
+    pub points: usize,
+    /// Longest step in the parameter.
+    pub max_step: Option<f64>,
+    /// Tolerance of the states, 1e-14 to 1e-3.
+    pub tolerance: f64,
+}
+
+impl BranchOptions {
+    /// Over Omega within a range, 1000 points each way at most, to 1e-10.
+    pub fn new(range: [f64; 2], period: usize) -> Self {
+        Self {
+            parameter: "Omega",
+            range,
+            period,
+            from: None,
+            points: 1000,
+            max_step: None,
+            tolerance: 1e-10,
+        }
+    }
+}
+
+/// Why a branch ends.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BranchEnd {
+    /// At an end of the range.
+    Range,
+    /// At a bifurcation of a branch of shorter period or higher symmetry, of that period.
+    BornFrom {
+        /// Period of the other branch in mesh periods.
+        period: usize,
+    },
+    /// All the points asked for are there.
+    Points,
+    /// It came back to where it began.
+    Closed,
+    /// Its multipliers have grown so large that double precision does not resolve the orbits any more.
+    Steep {
+        /// Largest entry of the linearisation there.
+        entry: f64,
+    },
+    /// It could not be followed any further.
+    Lost {
+        /// Why.
+        reason: NumericsError,
+    },
+}
+
+/// A branch of periodic orbits, in order along it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branch {
+    /// The parameter's name.
+    pub parameter: &'static str,
+    /// Period in mesh periods.
+    pub period: usize,
+    /// Values of the parameter.
+    pub value: Vec<f64>,
+    /// Greatest |u_p| of each orbit.
+    pub max_u_p: Vec<f64>,
+    /// Greatest |u| of each orbit.
+    pub max_u: Vec<f64>,
+    /// State of each orbit at t = 0.
+    pub state: Vec<[f64; 6]>,
+    /// No multiplier outside the unit circle.
+    pub stable: Vec<bool>,
+    /// Number of multipliers outside the unit circle.
+    pub unstable: Vec<usize>,
+    /// Real parts of the multipliers over the period, largest modulus first.
+    pub re: Vec<[f64; 6]>,
+    /// Imaginary parts.
+    pub im: Vec<[f64; 6]>,
+    /// What happens on it, in order; a birth at one of its ends included.
+    pub events: Vec<BranchEvent>,
+    /// Why it ends at its first and at its last point.
+    pub ends: [BranchEnd; 2],
+    /// How it was computed.
+    pub method: String,
+    /// What is known of the error: the largest `residual` and `liouville` of all points, and `step`, the change of the
+    /// multipliers of one of them when every step is halved.
+    pub error: ErrorEstimate,
+}
+
+/// Steps granted to one branch: some seconds.
+const STEPS: usize = 1_000_000;
+/// Longest step of all, over the scales.
+const LONGEST_STEP: f64 = 0.06;
+/// Length of the last correction of a point, over the scales, at the default tolerance.
+const LAST_CORRECTION: f64 = 1e-8;
+
+/// Follows a branch both ways from an orbit.
+///
+/// # Errors
+/// [`StudyError::Option`] for an option out of range, [`StudyError::Model`] for an incommensurate load,
+/// [`StudyError::Numerics`] where no orbit is found to start from.
+pub fn branch(p: &Parameters, options: &BranchOptions) -> Result<Branch, StudyError> {
+    let (parameter, allowed) = parameter_named(options.parameter)?;
+    check(options, allowed)?;
+    let mut family = GearFamily::new(p, parameter, options.range, options.tolerance, STEPS)?;
+    let bounds = bounds(p, options);
+    let (path, start) = first(p, &mut family, options, &bounds)?;
+    let traces = both_ways(&mut family, path, start, bounds);
+    let followed = assemble(&mut family, parameter, traces, None);
+    Ok(followed.branch)
+}
+
+pub(crate) fn check(options: &BranchOptions, [least, most]: [f64; 2]) -> Result<(), StudyError> {
+    motion::check_tolerance(options.tolerance)?;
+    let [low, high] = options.range;
+    if !(least <= low && low < high && high <= most) {
+        return Err(StudyError::Option {
+            option: "range",
+            given: format!("[{low}, {high}]"),
+            allowed: format!("[low, high] with {least} <= low < high <= {most}"),
+        });
+    }
+    let whole = |option: &'static str, given: usize, least: usize, most: usize| {
+        if (least..=most).contains(&given) {
+            return Ok(());
+        }
+        let allowed = format!("a whole number from {least} to {most}");
+        Err(StudyError::Option { option, given: given.to_string(), allowed })
+    };
+    whole("period", options.period, 1, LONGEST)?;
+    whole("points", options.points, 2, 100_000)?;
+    match options.max_step {
+        Some(step) if !(step > 0.0 && step.is_finite()) => Err(StudyError::Option {
+            option: "maxStep",
+            given: step.to_string(),
+            allowed: "a number above 0".into(),
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// Units and bounds of the steps.
+pub(crate) fn bounds(p: &Parameters, options: &BranchOptions) -> Bounds {
+    let [low, high] = options.range;
+    // The displacement at which the cubic term equals the linear one: what orbits grow to.
+    let size = |k: f64, alpha: f64| (k / alpha.abs()).sqrt();
+    let state = size(p.k_p, p.alpha_p).min(size(p.k_g, p.alpha_g)).clamp(0.1, 5.0);
+    let scale = Scale { state, parameter: high - low };
+    let even = (8.0 / options.points as f64).clamp(0.03, LONGEST_STEP);
+    let longest = options.max_step.map_or(even, |step| step / scale.parameter);
+    let tolerance = LAST_CORRECTION * (options.tolerance / 1e-10).clamp(0.1, 1e3);
+    Bounds { range: options.range, scale, longest: longest.min(LONGEST_STEP), points: options.points, tolerance }
+}
+
+/// Two states as near as this, over the scale, are one.
+const SAME: f64 = 1e-6;
+
+/// The map and the symmetries of an orbit: the shortest part of the period after which it repeats itself, as it is or
+/// under a symmetry.
+pub(crate) fn recognise(
+    family: &mut GearFamily,
+    state: &State,
+    value: f64,
+    period: usize,
+    scale: Scale,
+) -> Result<Path, NumericsError> {
+    let keeping = family.group().keeping(state, SAME * scale.state);
+    let common = family.common();
+    let group = *family.group();
+    let mut kind = Kind { periods: period, symmetry: 0 };
+    'found: for periods in (common..=period).step_by(common) {
+        let after = family.image(Kind { periods, symmetry: 0 }, state, value)?;
+        for (symmetry, element) in group.elements() {
+            let image = element.apply(state);
+            let distance = after.iter().zip(image).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+            if distance <= SAME * scale.state {
+                kind = Kind { periods, symmetry };
+                break 'found;
+            }
+        }
+    }
+    Ok(Path { kind, keeping })
+}
+
+/// The orbit from which a branch starts.
+fn first(
+    p: &Parameters,
+    family: &mut GearFamily,
+    options: &BranchOptions,
+    bounds: &Bounds,
+) -> Result<(Path, Point), StudyError> {
+    let [low, high] = options.range;
+    let value = family.value().clamp(low, high);
+    let there = family.at(value);
+    let common = family.common();
+    let period = if options.period == 1 { common } else { options.period };
+    let state = match options.from {
+        Some(guess) => {
+            motion::check_state(&GearPair::new(&there), &guess)?;
+            let whole = Kind { periods: period, symmetry: 0 };
+            let newton = newton::Options { tolerance: options.tolerance, ..newton::Options::default() };
+            fixed_point(guess, newton, |state| {
+                let evaluation = family.evaluate(whole, state, value)?;
+                let rows =
+                    std::array::from_fn(|i| std::array::from_fn(|j| evaluation.derivative[(i, j)]));
+                Ok((evaluation.image, rows))
+            })?
+            .point
+        }
+        None if period == common && unloaded(p) => trivial_state(p),
+        None => {
+            let wanted = OrbitOptions { period, guess: None, tolerance: options.tolerance };
+            let orbit = orbit::periodic_orbit(&there, &wanted)?;
+            if orbit.period != period {
+                return Err(NumericsError::NoConvergence {
+                    iterations: 0,
+                    residual: f64::INFINITY,
+                    tolerance: options.tolerance,
+                }
+                .into());
+            }
+            orbit.state
+        }
+    };
+    let path = recognise(family, &state, value, period, bounds.scale)?;
+    Ok((path, on_branch(family, path, &state, value, bounds)?))
+}
+
+/// A point of a branch near a state, at the same value of the parameter.
+pub(crate) fn on_branch(
+    family: &mut GearFamily,
+    path: Path,
+    state: &State,
+    value: f64,
+    bounds: &Bounds,
+) -> Result<Point, NumericsError> {
+    let space = Space::new(family.group(), path.keeping);
+    let frame =
+        Frame { kind: path.kind, space: &space, scale: bounds.scale, tolerance: bounds.tolerance };
+    let mut normal = [0.0; 7];
+    normal[6] = 1.0;
+    let place = bounds.scale.scaled(&space.project(state), value);
+    let mut corrected = corrector::correct(family, &frame, &place, &normal, None)?;
+    corrected.at[6] = place[6];
+    corrected.tangent = corrector::tangent(family, &frame, &corrected.at, &corrected.evaluation)?;
+    finish(corrected, 0.0, &space, family.slack())
+}
+
+/// Follows a branch from a point both ways: against its tangent, then along it.
+pub(crate) fn both_ways(family: &mut GearFamily, path: Path, start: Point, bounds: Bounds) -> [Trace; 2] {
+    let group = *family.group();
+    let mut forwards = Trace::new(path, &group, start, bounds, FIRST_STEP * bounds.longest);
+    forwards.run(family);
+    let turned = Point { tangent: start.tangent.map(|value| -value), ..start };
+    let mut backwards = Trace::new(path, &group, turned, bounds, FIRST_STEP * bounds.longest);
+    if forwards.end == Some(End::Closed) {
+        backwards.end = Some(End::Closed);
+    }
+    backwards.run(family);
+    [backwards, forwards]
+}
+
+/// The first step's part of the longest: nothing is known of the curvature yet.
+pub(crate) const FIRST_STEP: f64 = 0.2;
+
+/// A branch with what else is born on it.
+pub(crate) struct Followed {
+    /// The branch.
+    pub branch: Branch,
+    /// Of each event, what is born there and from where.
+    pub births: Vec<Option<(Birth, Nature, Point)>>,
+    /// The points' maps and symmetries.
+    pub path: Path,
+}
+
+/// What was located, as an event, with what is born there.
+type Noted = (BranchEvent, Option<(Birth, Nature, Point)>);
+
+/// One branch from its two parts. The first is only the start where the branch is `born` there: then what happens
+/// there and the period of the other branch are given.
+pub(crate) fn assemble(
+    family: &mut GearFamily,
+    parameter: &'static str,
+    traces: [Trace; 2],
+    born: Option<(Nature, usize)>,
+) -> Followed {
+    let [mut backwards, mut forwards] = traces;
+    let path = forwards.path;
+    let scale = forwards.bounds.scale;
+    let mut events: Vec<(f64, Noted)> = Vec::new();
+    let mut ends = [BranchEnd::Range, BranchEnd::Range];
+    let parts = [(&mut backwards, -1.0), (&mut forwards, 1.0)];
+    for (side, (trace, sign)) in parts.into_iter().enumerate() {
+        let (end, birth) = ended(family, trace);
+        ends[side] = end;
+        for (index, located) in trace.found.clone() {
+            let noted = describe(family, trace, index, &located);
+            events.push((sign * located.point.arc, noted));
+        }
+        if let (Some(nature), Some(point)) = (birth, trace.points.last()) {
+            let event = event(family, scale, nature, point, None);
+            events.push((sign * point.arc, (event, None)));
+        }
+    }
+    if let (Some((nature, period)), Some(point)) = (born, forwards.points.first()) {
+        ends[0] = BranchEnd::BornFrom { period };
+        events.push((0.0, (event(family, scale, nature, point, None), None)));
+    }
+    events.sort_unstable_by(|left, right| left.0.total_cmp(&right.0));
+    let mut points: Vec<(f64, Point)> = Vec::with_capacity(backwards.points.len() + forwards.points.len());
+    points.extend(backwards.points.iter().skip(1).rev().map(|point| (-point.arc, *point)));
+    points.extend(forwards.points.iter().map(|point| (point.arc, *point)));
+    let mut births = Vec::with_capacity(events.len());
+    let mut listed = Vec::with_capacity(events.len());
+    for (arc, (mut event, birth)) in events {
+        event.after = points.partition_point(|(other, _)| *other <= arc).saturating_sub(1);
+        listed.push(event);
+        births.push(birth);
+    }
+    let points: Vec<Point> = points.into_iter().map(|(_, point)| point).collect();
+    let branch = columns(family, parameter, path, scale, &points, listed, ends);
+    Followed { branch, births, path }
+}
+
+/// The end of one part of a branch, and of one that shrinks its birth, which becomes its last point.
+fn ended(family: &mut GearFamily, trace: &mut Trace) -> (BranchEnd, Option<Nature>) {
+    match trace.end.clone() {
+        Some(End::Range) | None => (BranchEnd::Range, None),
+        Some(End::Points) => (BranchEnd::Points, None),
+        Some(End::Closed) => (BranchEnd::Closed, None),
+        Some(End::Steep(entry)) => (BranchEnd::Steep { entry }, None),
+        Some(End::Lost(reason)) => (BranchEnd::Lost { reason }, None),
+        Some(End::Shrunk(shrunk)) => match switch::finish_shrunk(family, trace, shrunk) {
+            Ok((parent, nature)) => (BranchEnd::BornFrom { period: parent.period() }, Some(nature)),
+            Err(reason) => (BranchEnd::Lost { reason }, None),
+        },
+    }
+}
+
+fn event(
+    family: &GearFamily,
+    scale: Scale,
+    nature: Nature,
+    point: &Point,
+    supercritical: Option<bool>,
+) -> BranchEvent {
+    let (state, value) = scale.plain(&point.at);
+    let (kind, breaks) = match nature {
+        Nature::Fold => (EventKind::Fold, None),
+        Nature::PeriodDoubling => (EventKind::PeriodDoubling, None),
+        Nature::NeimarkSacker => (EventKind::NeimarkSacker, None),
+        Nature::BranchPoint => (EventKind::BranchPoint, None),
+        Nature::Grazing => (EventKind::Grazing, None),
+        Nature::Pitchfork(lost) => {
+            let exchanged = family.group().element(SWAP).is_some() && lost & (1 << SWAP) != 0;
+            (EventKind::Pitchfork, Some(if exchanged { Breaks::Exchange } else { Breaks::Sign }))
+        }
+    };
+    let [max_u_p, max_u] = point.evaluation.peaks;
+    BranchEvent { kind, value, state, breaks, max_u_p, max_u, supercritical, after: 0 }
+}
+
+/// What was located, in words.
+fn describe(
+    family: &mut GearFamily,
+    trace: &Trace,
+    index: usize,
+    located: &Located,
+) -> Noted {
+    let scale = trace.bounds.scale;
+    let (nature, birth) = switch::nature(family.group(), trace.path, &trace.space, scale, located);
+    let mut supercritical = None;
+    if let Some(birth) = &birth
+        && !birth.both_ways
+        && let Ok([_, second]) = switch::start(family, birth, &located.point, scale, trace.bounds.tolerance)
+        && let (Some(before), Some(after)) = (trace.points.get(index), trace.points.get(index + 1))
+    {
+        let less_stable_above = (after.linear.outside() > before.linear.outside())
+            == (after.at[6] > before.at[6]);
+        supercritical = Some((second.at[6] > located.point.at[6]) == less_stable_above);
+    }
+    let event = event(family, scale, nature, &located.point, supercritical);
+    (event, birth.map(|birth| (birth, nature, located.point)))
+}
+
+fn columns(
+    family: &mut GearFamily,
+    parameter: &'static str,
+    path: Path,
+    scale: Scale,
+    points: &[Point],
+    events: Vec<BranchEvent>,
+    ends: [BranchEnd; 2],
+) -> Branch {
+    let count = points.len();
+    let squared = path.period() != path.kind.periods;
+    let mut branch = Branch {
+        parameter,
+        period: path.period(),
+        value: Vec::with_capacity(count),
+        max_u_p: Vec::with_capacity(count),
+        max_u: Vec::with_capacity(count),
+        state: Vec::with_capacity(count),
+        stable: Vec::with_capacity(count),
+        unstable: Vec::with_capacity(count),
+        re: Vec::with_capacity(count),
+        im: Vec::with_capacity(count),
+        events,
+        ends,
+        method: "pseudo-arclength continuation, prediction of degree 5, variational Taylor series of order 16, \
+                 symmetric stroboscopic map"
+            .into(),
+        error: ErrorEstimate::default(),
+    };
+    let (mut residual, mut liouville) = (0.0_f64, 0.0_f64);
+    for (index, point) in points.iter().enumerate() {
+        let (state, value) = scale.plain(&point.at);
+        let spectrum = whole(&point.linear.spectrum, squared);
+        branch.value.push(value);
+        branch.state.push(state);
+        branch.max_u_p.push(point.evaluation.peaks[0]);
+        branch.max_u.push(point.evaluation.peaks[1]);
+        branch.re.push(spectrum.re);
+        branch.im.push(spectrum.im);
+        // At a bifurcation itself rounding decides: its neighbour on the branch is meant.
+        let judged = match (point.singular, index) {
+            (true, 0) => points.get(1).unwrap_or(point),
+            (true, _) => &points[index - 1],
+            _ => point,
+        };
+        branch.unstable.push(judged.linear.outside());
+        branch.stable.push(judged.linear.outside() == 0);
+        let p = family.at(value);
+        let length = path.kind.periods as f64 * p.mesh_period();
+        // Symmetries of the model change the sign of an even number of coordinates or exchange two pairs: their
+        // determinant is 1.
+        let trace = GearPair::new(&p).trace();
+        liouville = liouville.max(floquet::liouville_residual(&point.evaluation.derivative, trace * length));
+        residual = residual.max(point.residual);
+    }
+    branch.error = ErrorEstimate {
+        liouville: Some(liouville),
+        step: points.get(count / 2).and_then(|point| halved(family, path, scale, point)),
+        residual: Some(residual),
+    };
+    branch
+}
+
+/// The multipliers over the whole period.
+fn whole(spectrum: &Spectrum, squared: bool) -> Spectrum {
+    if !squared {
+        return *spectrum;
+    }
+    floquet::ordered(std::array::from_fn(|i| {
+        let (re, im) = (spectrum.re[i], spectrum.im[i]);
+        (re * re - im * im, 2.0 * re * im)
+    }))
+}
+
+/// The change of the multipliers when every step is halved.
+fn halved(family: &mut GearFamily, path: Path, scale: Scale, point: &Point) -> Option<f64> {
+    let (state, value) = scale.plain(&point.at);
+    family.step_factor = 0.5;
+    let finer = family.evaluate(path.kind, &state, value);
+    family.step_factor = 1.0;
+    let finer = floquet::spectrum(&finer.ok()?.derivative).ok()?;
+    Some(finer.distance(&point.linear.spectrum))
+}
