@@ -71,3 +71,12 @@ fn loaded() {
         println!("{:?}", begun.elapsed());
     }
 }
+
+#[test]
+fn one() {
+    let p = parameters(&json!({"m":1,"k":5,"zeta":0.07,"k0":0.5,"Omega":1.0,"alpha":-0.2,"F":1.5,"E":0.1,"regime":"backlash"}));
+    for range in [[0.6, 1.1], [0.5, 1.2], [0.6, 4.0]] {
+    let found = branch(&p, &BranchOptions::new(range, 1)).expect("follows");
+    show(&found);
+    }
+}

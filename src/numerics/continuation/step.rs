@@ -128,7 +128,7 @@ impl Trace {
         match self.try_step(family) {
             Ok(true) => self.refused = 0,
             Ok(false) => self.shorten(None),
-            Err(error) => self.shorten(Some(error)),
+            Err(error) => { if std::env::var("DBG").is_ok() { eprintln!("{error:?}"); } self.shorten(Some(error)) },
         }
         self.end.is_some()
     }
@@ -222,6 +222,7 @@ impl Trace {
         let ahead = dot(&chord, &last.tangent) / stretch;
         let change = (corrected.evaluation.derivative - last.evaluation.derivative).amax();
         let size = last.evaluation.derivative.amax().max(1.0);
+        if std::env::var("DBG").is_ok() { eprintln!("{:.6} h {:.2e} d {:.1e} stretch {:.1e} bend {:.4} ahead {:.5} change {:.2e}/{:.2e} pieces {}", last.at[6]*self.bounds.scale.parameter, self.step, corrected.distance, stretch, bend, ahead, change, size, corrected.evaluation.pieces); }
         let far = corrected.distance > (0.2 * stretch).min(0.02);
         if far || bend < ANGLE.cos() || ahead < ANGLE.cos() || change > CHANGE * size {
             return Ok(false);
