@@ -98,9 +98,7 @@ pub fn correct(
         let slope = match (slope, by_tangent) {
             (Some(slope), _) => slope,
             (None, Some(tangent)) => slope_along(&evaluation, tangent, scale),
-            _ => {
-                *slope.insert(by_parameter(family, kind, &state, parameter, &evaluation.image, scale)?)
-            }
+            _ => *slope.insert(by_parameter(family, kind, &state, parameter, &evaluation.image, scale)?),
         };
         let residual = minus(&evaluation.image, &state);
         let off = dot(normal, &minus(&at, place));
@@ -183,12 +181,7 @@ type System = [[f64; 9]; 7];
 
 /// The linearised map, bordered by its derivative by the parameter and by the normal: the unknowns are the
 /// components within the fixed space, then the parameter.
-fn bordered(
-    frame: &Frame<'_>,
-    evaluation: &Evaluation,
-    slope: &State,
-    normal: &Scaled,
-) -> (System, Scaled) {
+fn bordered(frame: &Frame<'_>, evaluation: &Evaluation, slope: &State, normal: &Scaled) -> (System, Scaled) {
     let Frame { space, scale, .. } = *frame;
     let fixed = space.fixed;
     let mut system = [[0.0; 9]; 7];

@@ -125,7 +125,14 @@ fn tests(spectrum: &Spectrum, size: usize, slack: f64) -> Tests {
         }
     }
     // Undamped, the multipliers come in reciprocal pairs, and the product is zero everywhere.
-    Tests { plus: plus.0, minus: minus.0, pair: if slack > 0.0 { 0.0 } else { pair.0 }, from_one, margin, outside }
+    Tests {
+        plus: plus.0,
+        minus: minus.0,
+        pair: if slack > 0.0 { 0.0 } else { pair.0 },
+        from_one,
+        margin,
+        outside,
+    }
 }
 
 /// What happens at a point of a branch.
@@ -186,6 +193,9 @@ pub struct Search<'a> {
     pub frame: Frame<'a>,
     /// Points of the branch around the interval, for interpolation.
     pub knots: &'a [Knot],
+    /// Along the chord of the whole interval: one normal for all points between, so that they lie in the order of
+    /// their arclengths.
+    pub normal: Scaled,
     /// What is found, in order.
     pub found: Vec<Located>,
 }
@@ -252,8 +262,7 @@ impl Search<'_> {
         } else {
             predictor::place(self.knots, arc)
         };
-        let chord = unit(&minus(&to.at, &from.at));
-        let corrected = correct(family, &self.frame, &place, &chord, None)?;
+        let corrected = correct(family, &self.frame, &place, &self.normal, None)?;
         let slack = family.slack();
         finish(corrected, arc, self.frame.space, slack)
     }
@@ -300,7 +309,7 @@ impl Search<'_> {
             let middle = match self.point(family, &low, &high, low.arc + share * length) {
                 Ok(middle) => middle,
                 // At a crossing of two branches the last places are singular: what is bracketed so far is the answer.
-                Err(e) if length < 1e-5 => {if std::env::var("DBG").is_ok() { eprintln!("break {e:?} {length} {sign:?}"); } break},
+                Err(_) if length < 1e-5 => break,
                 Err(error) => return Err(error),
             };
             let moved = norm(&minus(&middle.at, &best.at));

@@ -179,12 +179,8 @@ pub fn finish_shrunk(
     let before = trace.points.last().map_or(guess.0, |point| point.arc);
     let tangent = last.map_or([0.0; 7], |point| point.tangent);
     let chord = trace.points.last().map_or(0.0, |point| norm(&minus(&at, &point.at)));
-    let frame = Frame {
-        kind: trace.path.kind,
-        space: &trace.space,
-        scale,
-        tolerance: trace.bounds.tolerance,
-    };
+    let frame =
+        Frame { kind: trace.path.kind, space: &trace.space, scale, tolerance: trace.bounds.tolerance };
     let end = at_bifurcation(family, &frame, &at, tangent, before + chord)?;
     trace.points.push(end);
     Ok((parent, nature))
