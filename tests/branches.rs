@@ -1,73 +1,338 @@
-//! Branches against numbers from independent programs and against themselves.
+//! Branches and diagrams against numbers from independent programs and against themselves.
 
 mod common;
 
-use common::{numbers, parameters, reference};
-use serde_json::json;
-use gear_bifurcations::study::branch::{Branch, BranchOptions, EventKind, branch};
+use common::{Generator, numbers, parameters, reference};
+use gear_bifurcations::model::parameters::Parameters;
+use gear_bifurcations::study::branch::{
+    Branch, BranchEnd, BranchEvent, BranchOptions, Breaks, EventKind, branch,
+};
 use gear_bifurcations::study::diagram::{DiagramOptions, diagram};
+use gear_bifurcations::study::multipliers::multipliers;
+use gear_bifurcations::study::orbit::{OrbitOptions, periodic_orbit};
+use serde_json::json;
 
-fn show(branch: &Branch) {
-    println!("{} points, period {}, ends {:?}, error {:?}", branch.value.len(), branch.period, branch.ends, branch.error);
-    for event in &branch.events {
-        println!("{:?}", event);
+fn over_omega(p: &Parameters, range: [f64; 2], period: usize) -> Branch {
+    branch(p, &BranchOptions::new(range, period)).unwrap_or_else(|error| panic!("{p:?}: {error}"))
+}
+
+fn only(branch: &Branch, kind: EventKind) -> Vec<&BranchEvent> {
+    branch.events.iter().filter(|event| event.kind == kind).collect()
+}
+
+/// Asserts that a branch has an event of a kind at a value, to 1e-7, and gives it.
+fn expect(branch: &Branch, kind: EventKind, value: f64) -> &BranchEvent {
+    let found = branch.events.iter().find(|event| event.kind == kind && (event.value - value).abs() < 1e-7);
+    found.unwrap_or_else(|| panic!("no {} at {value}: {:#?}", kind.name(), branch.events))
+}
+
+/// What every branch promises: finite numbers within the range, steps without gaps, and a count of unstable
+/// multipliers that changes only at an event.
+fn check_promises(branch: &Branch, range: [f64; 2]) {
+    let count = branch.value.len();
+    assert!(count >= 2);
+    let finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+    assert!(finite(&branch.value) && finite(&branch.max_u_p) && finite(&branch.max_u));
+    assert!(branch.value.iter().all(|value| *value >= range[0] - 1e-9 && *value <= range[1] + 1e-9));
+    for columns in [&branch.state, &branch.re, &branch.im] {
+        assert!(columns.len() == count && columns.iter().all(|row| finite(row)));
     }
-}
-
-#[test]
-fn tongue_2() {
-    let p = numbers(&[("Omega", 1.65)]);
-    let found = branch(&p, &BranchOptions::new([1.0, 2.0], 2)).expect("follows");
-    show(&found);
-    for i in (0..found.value.len()).step_by(10) {
-        println!("{} {} {} {}", found.value[i], found.max_u_p[i], found.stable[i], found.unstable[i]);
-    }
-    println!("{}", reference("orbit_branch")["events"]);
-    assert_eq!(found.events[0].kind, EventKind::Fold);
-}
-
-#[test]
-fn figure_10() {
-    let p = numbers(&[("Omega", 1.65)]);
-    let begun = std::time::Instant::now();
-    let found = diagram(&p, &DiagramOptions::new([1.0, 6.0])).expect("computes");
-    println!("{:?} {} branches, complete {}", begun.elapsed(), found.branches.len(), found.complete);
-    for (branch, from) in found.branches.iter().zip(&found.from) {
-        println!("from {from:?}");
-        show(branch);
-    }
-}
-
-#[test]
-fn tongue_3() {
-    let p = numbers(&[("Omega", 5.4)]);
-    let found = branch(&p, &BranchOptions::new([1.0, 6.0], 2)).expect("follows");
-    show(&found);
-}
-
-#[test]
-fn loaded() {
-    for (given, parameter, range, period) in [
-        (json!({"m":1,"k":5,"zeta":0.07,"k0":0.5,"Omega":1.6,"alpha":-1.3,"F":1.5,"regime":"contact"}), "Omega", [1.0, 4.0], 1),
-        (json!({"m":1,"k":5,"zeta":0.07,"k0":0.5,"Omega":1.6,"alpha":0.0,"F":1.5,"regime":"backlash"}), "Omega", [1.2, 2.0], 2),
-        (json!({"m":1,"k":5,"zeta":0.07,"k0":0.5,"Omega":1.6,"alpha":-0.2,"F":1.5,"E":0.1,"regime":"backlash"}), "Omega", [0.6, 4.0], 1),
-        (json!({"m_p":1,"m_g":1.3,"k_p":5,"k_g":4,"zeta":0.02,"k0":0.5,"Omega":1.5,"alpha":-0.2}), "Omega", [1.0, 2.0], 2),
-        (json!({"zeta":0.02,"k0":0.5,"Omega":1.75,"alpha":0.2}), "Omega", [1.2, 2.4], 2),
-        (json!({"zeta":0.02,"k0":0.5,"Omega":1.65,"alpha":-0.2}), "k0", [0.05, 1.0], 2),
-        (json!({"zeta":0.02,"k0":0.5,"Omega":1.65,"alpha":-0.2}), "alpha", [-2.0, -0.01], 2),
-        (json!({"zeta":0.0,"k0":0.5,"Omega":1.65,"alpha":-0.2}), "Omega", [1.2, 2.0], 2),
-        (json!({"zeta":0.0,"k0":0.3,"Omega":1.65,"alpha":-0.2}), "Omega", [1.0, 6.0], 1),
-        (json!({"zeta":0.05,"k0":0.5,"Omega":1.65,"alpha":-0.2,"F":2.0,"regime":"backlash"}), "F", [0.01, 3.0], 1),
-        (json!({"zeta":0.05,"k0":0.5,"Omega":1.65,"alpha":-0.2,"regime":"backlash"}), "Omega", [0.5, 3.0], 1),
-        (json!({"zeta":0.05,"k0":0.5,"Omega":1.65,"alpha":-0.2,"F":2.0,"F_p":0.3,"Omega_p":0.825,"regime":"contact"}), "Omega", [0.8, 3.0], 1),
-    ] {
-        println!("{given} {parameter} {range:?}");
-        let p = parameters(&given);
-        let begun = std::time::Instant::now();
-        match branch(&p, &BranchOptions { parameter, ..BranchOptions::new(range, period) }) {
-            Ok(found) => show(&found),
-            Err(error) => println!("{error}"),
+    for i in 1..count {
+        if branch.unstable[i] != branch.unstable[i - 1] {
+            let between = branch.events.iter().any(|event| event.after + 1 == i || event.after == i);
+            assert!(
+                between,
+                "{} to {} at {}: {:#?}",
+                branch.unstable[i - 1],
+                branch.unstable[i],
+                branch.value[i],
+                branch.events
+            );
         }
-        println!("{:?}", begun.elapsed());
+        assert_eq!(branch.stable[i], branch.unstable[i] == 0);
+    }
+}
+
+#[test]
+fn the_branch_of_tongue_2_has_its_events_where_independent_programs_put_them() {
+    let p = numbers(&[("Omega", 1.65)]);
+    let found = over_omega(&p, [1.0, 2.0], 2);
+    let expected = &reference("orbit_branch")["events"];
+    let number = |name: &str| expected[name].as_f64().expect("a number");
+    expect(&found, EventKind::NeimarkSacker, number("torus"));
+    expect(&found, EventKind::Fold, number("fold"));
+    let across = expect(&found, EventKind::Pitchfork, number("branch_point_across_manifold"));
+    assert_eq!(across.breaks, Some(Breaks::Exchange));
+    for value in expected["period_doubling"].as_array().expect("two") {
+        let event = expect(&found, EventKind::PeriodDoubling, value.as_f64().expect("a number"));
+        assert_eq!(event.max_u_p, 0.0, "born of the state of rest");
+    }
+    assert_eq!(only(&found, EventKind::PeriodDoubling).len(), 2);
+    assert_eq!(only(&found, EventKind::Fold).len(), 1);
+    assert_eq!(found.ends, [BranchEnd::BornFrom { period: 1 }, BranchEnd::BornFrom { period: 1 }]);
+    check_promises(&found, [1.0, 2.0]);
+    // Stable from the edge of the tongue down to the torus, unstable beyond.
+    for i in 0..found.value.len() {
+        let upper =
+            found.events.iter().find(|event| event.kind == EventKind::NeimarkSacker && event.value > 1.6);
+        let stable = i > upper.expect("the torus").after;
+        assert_eq!(found.stable[i], stable, "{}", found.value[i]);
+    }
+}
+
+/// The range's end is a point of the branch: where the reference has one, states agree there to 1e-8.
+#[test]
+fn branches_pass_through_every_reference_orbit() {
+    let p = numbers(&[("Omega", 1.65)]);
+    for row in reference("orbit_branch")["tongue2"].as_array().expect("rows") {
+        let number = |name: &str| row[name].as_f64().expect("a number");
+        let omega = number("Omega");
+        let (range, last) = if omega > 1.65 { ([1.6, omega], true) } else { ([omega, 1.7], false) };
+        let found = over_omega(&p, range, 2);
+        let ends = if last { found.value.len() - 1 } else { 0 };
+        // The branch may turn: of the points at the end of the range the one meant.
+        let meant = |i: &usize| {
+            (found.value[*i] - omega).abs() < 1e-12 && (found.max_u_p[*i] - number("max_u_p")).abs() < 1e-3
+        };
+        let index =
+            (0..found.value.len()).find(meant).unwrap_or_else(|| panic!("{omega}: {}", found.value[ends]));
+        let state = found.state[index];
+        // One mesh period later it is at the opposite state.
+        let sign = (state[0] * number("u_p")).signum();
+        let expected = [
+            number("u_p"),
+            -number("u_p"),
+            number("u"),
+            number("u_p_dot"),
+            -number("u_p_dot"),
+            number("u_dot"),
+        ];
+        for i in 0..6 {
+            assert!((sign * state[i] - expected[i]).abs() < 1e-8, "{omega}: {state:?}");
+        }
+        assert!((found.max_u_p[index] - number("max_u_p")).abs() < 1e-8, "{omega}");
+    }
+}
+
+#[test]
+fn the_branch_of_tongue_3_loses_stability_across_the_manifold() {
+    let p = numbers(&[("Omega", 5.4)]);
+    let found = over_omega(&p, [3.0, 6.0], 2);
+    let born = only(&found, EventKind::PeriodDoubling);
+    assert!((born[0].value - 5.598863224).abs() < 1e-8, "{born:?}");
+    let lost = found.events.iter().filter(|event| event.breaks == Some(Breaks::Exchange));
+    let lost: Vec<f64> = lost.map(|event| event.value).collect();
+    assert!(lost.iter().any(|value| (value - 4.612150269).abs() < 1e-7), "{lost:?}");
+    for (value, stable) in found.value.iter().zip(&found.stable) {
+        assert_eq!(*stable, *value > 4.612150269, "{value}");
+    }
+    check_promises(&found, [3.0, 6.0]);
+}
+
+/// AUTO slid from one branch to the other across the manifold at a step of 0.02: at any step the same branch and the
+/// same events are found here.
+#[test]
+fn long_steps_lose_nothing() {
+    let p = numbers(&[("Omega", 1.65)]);
+    let fine = over_omega(&p, [1.2, 1.69], 2);
+    for max_step in [0.005, 0.02, 0.05, 0.3] {
+        let options = BranchOptions { max_step: Some(max_step), ..BranchOptions::new([1.2, 1.69], 2) };
+        let found = branch(&p, &options).expect("follows");
+        assert_eq!(found.events.len(), fine.events.len(), "{max_step}: {:#?}", found.events);
+        for (event, expected) in found.events.iter().zip(&fine.events) {
+            assert_eq!((event.kind, event.breaks), (expected.kind, expected.breaks));
+            assert!((event.value - expected.value).abs() < 1e-8, "{max_step}: {event:?} {expected:?}");
+        }
+    }
+}
+
+#[test]
+fn a_branch_traced_backwards_returns_to_its_start() {
+    let p = numbers(&[("Omega", 1.65)]);
+    let there = over_omega(&p, [1.285, 1.66], 2);
+    let far = there.value.len() / 3;
+    let at =
+        Parameters { omega: there.value[far], omega_p: there.value[far], omega_g: there.value[far], ..p };
+    let options = BranchOptions { from: Some(there.state[far]), ..BranchOptions::new([1.285, 1.66], 2) };
+    let back = branch(&at, &options).expect("follows");
+    let pass = |branch: &Branch, i: usize| (branch.value[i], branch.state[i]);
+    let (end, state) = pass(&there, there.value.len() - 1);
+    let closest = (0..back.value.len())
+        .filter(|&i| (back.value[i] - end).abs() < 1e-12)
+        .map(|i| (0..6).map(|j| (back.state[i][j].abs() - state[j].abs()).abs()).fold(0.0, f64::max))
+        .fold(f64::INFINITY, f64::min);
+    assert!(closest < 1e-9, "{closest:e}");
+    assert_eq!(back.events.len(), there.events.len());
+}
+
+#[test]
+fn orbits_and_multipliers_on_a_branch_are_those_found_one_by_one() {
+    for given in [
+        json!({"Omega": 1.65}),
+        json!({"Omega": 1.75, "alpha": 0.2}),
+        json!({"Omega": 1.5, "m_g": 1.3, "k_g": 4.0}),
+        json!({"Omega": 1.6, "zeta": 0.07, "alpha": 0.0, "F": 1.5, "regime": "backlash"}),
+    ] {
+        let p = parameters(&given);
+        let found = over_omega(&p, [1.2, 1.9], 2);
+        check_promises(&found, [1.2, 1.9]);
+        assert_eq!(found.period, 2);
+        let count = found.value.len();
+        for index in (3..count.min(300)).step_by(41) {
+            let omega = found.value[index];
+            let at = Parameters { omega, omega_p: omega, omega_g: omega, ..p };
+            let options = OrbitOptions { period: 2, guess: Some(found.state[index]), tolerance: 1e-11 };
+            let Ok(orbit) = periodic_orbit(&at, &options) else { continue };
+            if orbit.period != 2 {
+                continue;
+            }
+            for i in 0..6 {
+                // Next to a bifurcation an orbit is as uncertain as its nearly singular linearisation makes it.
+                assert!((orbit.state[i] - found.state[index][i]).abs() < 1e-7, "{given} {omega}");
+            }
+            let size = found.re[index][0].hypot(found.im[index][0]).max(1.0);
+            for i in 0..6 {
+                let nearest = (0..6)
+                    .map(|j| (orbit.re[i] - found.re[index][j]).hypot(orbit.im[i] - found.im[index][j]))
+                    .fold(f64::INFINITY, f64::min);
+                assert!(nearest < 2e-5 * size, "{given} {omega}: {nearest:e}");
+            }
+            let greatest = orbit.max[0].max(-orbit.min[0]);
+            assert!((greatest - found.max_u_p[index]).abs() < 1e-7, "{given} {omega}");
+            let greatest = orbit.max[2].max(-orbit.min[2]);
+            assert!((greatest - found.max_u[index]).abs() < 1e-7, "{given} {omega}");
+        }
+    }
+}
+
+#[test]
+fn grazing_is_an_event_of_its_own_where_the_teeth_just_part() {
+    let given = json!({"Omega": 1.6, "zeta": 0.07, "F": 1.5, "E": 0.1, "regime": "backlash"});
+    let found = over_omega(&parameters(&given), [0.5, 2.0], 1);
+    check_promises(&found, [0.5, 2.0]);
+    let grazing = only(&found, EventKind::Grazing);
+    assert!(grazing.len() >= 3, "{:#?}", found.events);
+    for event in grazing {
+        let omega = event.value;
+        let p = parameters(&given);
+        let at = Parameters { omega, omega_p: omega, omega_g: omega, ..p };
+        let options = OrbitOptions { period: 1, guess: Some(event.state), tolerance: 1e-12 };
+        let orbit = periodic_orbit(&at, &options).expect("found");
+        // The least u of the orbit, or the least of |u| - 1 that it turns back at, is the boundary.
+        let touches = (orbit.min[2] - 1.0).abs().min((orbit.min[2] + 1.0).abs());
+        assert!(touches < 1e-7, "{event:?}: {:e}", touches);
+        let smooth =
+            |other: &&BranchEvent| other.kind != EventKind::Grazing && (other.value - omega).abs() < 1e-6;
+        assert!(!found.events.iter().any(|other| smooth(&other)), "{:#?}", found.events);
+    }
+}
+
+#[test]
+fn multipliers_with_contact_loss_are_those_of_differences() {
+    let given = json!({"Omega": 1.6, "zeta": 0.07, "alpha": 0.0, "F": 1.5, "regime": "backlash"});
+    let p = parameters(&given);
+    let found = over_omega(&p, [1.5, 1.65], 2);
+    let index =
+        (0..found.value.len()).find(|&i| found.value[i] < 1.6 && found.max_u[i] > 4.5).expect("parts");
+    let omega = found.value[index];
+    let at = Parameters { omega, omega_p: omega, omega_g: omega, ..p };
+    use gear_bifurcations::study::poincare::{PoincareOptions, poincare};
+    let after = |state: [f64; 6]| {
+        let options = PoincareOptions { state, transient: 2, points: 1, tolerance: 1e-13 };
+        poincare(&at, &options).expect("computes").states[0]
+    };
+    let h = 1e-5;
+    let derivative = nalgebra::SMatrix::<f64, 6, 6>::from_fn(|row, column| {
+        let mut states = [found.state[index]; 2];
+        states[0][column] += h;
+        states[1][column] -= h;
+        (after(states[0])[row] - after(states[1])[row]) / (2.0 * h)
+    });
+    let values = derivative.complex_eigenvalues();
+    for i in 0..6 {
+        let nearest = values
+            .iter()
+            .map(|value| (value.re - found.re[index][i]).hypot(value.im - found.im[index][i]))
+            .fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-6, "{nearest:e}");
+    }
+}
+
+#[test]
+fn the_diagram_of_figure_10_joins_every_branch_to_its_birth() {
+    let p = numbers(&[("Omega", 1.65)]);
+    let found = diagram(&p, &DiagramOptions::new([1.0, 6.0])).expect("computes");
+    assert!(found.complete && found.branches.len() == found.from.len());
+    assert_eq!(found.from[0], None);
+    for (index, (branch, from)) in found.branches.iter().zip(&found.from).enumerate().skip(1) {
+        let (parent, event) = from.expect("born somewhere");
+        assert!(parent < index);
+        let birth = &found.branches[parent].events[event];
+        assert!((branch.value[0] - birth.value).abs() < 1e-9, "{index}");
+        assert!(matches!(branch.ends[0], BranchEnd::BornFrom { .. }));
+    }
+    // The steady response: the edges of the three tongues, as linear theory has them.
+    let edges: Vec<f64> = found.branches[0].events.iter().map(|event| event.value).collect();
+    for value in edges {
+        let at = Parameters { omega: value, omega_p: value, omega_g: value, ..p };
+        let radius = multipliers(&at, 1e-12).expect("computes").spectral_radius;
+        assert!((radius - 1.0).abs() < 1e-8, "{value}: {radius}");
+    }
+    let tongue_2 = &found.branches[1];
+    expect(tongue_2, EventKind::NeimarkSacker, 1.619717349);
+    expect(tongue_2, EventKind::Fold, 1.279211051);
+    // Off the manifold, between both of its branch points.
+    let across = |index: usize| {
+        let states = &found.branches[index].state;
+        states.iter().any(|state| (state[0] + state[1]).abs() > 1e-3)
+    };
+    assert!((0..found.branches.len()).any(across));
+    let periods: Vec<usize> = found.branches.iter().map(|branch| branch.period).collect();
+    assert!(periods.contains(&4) && periods.iter().all(|period| *period <= 4), "{periods:?}");
+}
+
+#[test]
+fn no_parameters_make_a_branch_panic_or_give_what_is_no_number() {
+    let mut generator = Generator(7);
+    let regimes = ["homogeneous", "contact", "backlash"];
+    for trial in 0..40 {
+        let regime = regimes[trial % 3];
+        let load = if regime == "homogeneous" { 0.0 } else { generator.within(0.0, 3.0) };
+        let given = json!({
+            "m_p": generator.within(0.3, 3.0), "m_g": generator.within(0.3, 3.0), "k_p": generator.within(0.5, 9.0),
+            "k_g": generator.within(0.5, 9.0), "alpha_p": generator.within(-1.0, 1.0),
+            "alpha_g": generator.within(-1.0, 1.0), "zeta": generator.within(0.0, 0.2), "k0": generator.unit(),
+            "Omega": generator.within(0.8, 5.0), "F": load, "regime": regime,
+        });
+        let p = parameters(&given);
+        let (parameter, range) = [("Omega", [0.8, 5.0]), ("k0", [0.0, 1.0]), ("zeta", [0.0, 0.3])][trial % 2];
+        let options =
+            BranchOptions { parameter, points: 150, ..BranchOptions::new(range, 1 + trial / 3 % 2) };
+        if let Ok(found) = branch(&p, &options) {
+            check_promises(&found, range);
+        }
+    }
+}
+
+#[test]
+fn options_out_of_range_are_refused_by_name() {
+    use gear_bifurcations::error::StudyError;
+    let p = numbers(&[("Omega", 1.65)]);
+    let good = BranchOptions::new([1.0, 2.0], 2);
+    for (option, options) in [
+        ("parameter", BranchOptions { parameter: "omega", ..good }),
+        ("parameter", BranchOptions { parameter: "Omega_p", ..good }),
+        ("range", BranchOptions { range: [2.0, 1.0], ..good }),
+        ("range", BranchOptions { range: [f64::NAN, 1.0], ..good }),
+        ("period", BranchOptions { period: 0, ..good }),
+        ("points", BranchOptions { points: 1, ..good }),
+        ("maxStep", BranchOptions { max_step: Some(0.0), ..good }),
+        ("tolerance", BranchOptions { tolerance: 0.1, ..good }),
+        ("state", BranchOptions { from: Some([f64::NAN; 6]), ..good }),
+    ] {
+        match branch(&p, &options) {
+            Err(StudyError::Option { option: named, .. }) => assert_eq!(named, option),
+            other => panic!("{option}: {other:?}"),
+        }
     }
 }

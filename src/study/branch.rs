@@ -3,7 +3,7 @@
 use super::ErrorEstimate;
 use super::family::{GearFamily, SWAP, parameter_named};
 use super::motion;
-use super::multipliers::{trivial_state, unloaded};
+use super::multipliers::{Budget, trivial_state, unloaded};
 use super::orbit::{self, LONGEST, OrbitOptions};
 use crate::error::{NumericsError, StudyError};
 use crate::model::equations::GearPair;
@@ -99,7 +99,8 @@ pub struct BranchOptions {
     /// Period in mesh periods, 1 to [`LONGEST`]; 1 stands for the common period of mesh and load.
     pub period: usize,
     /// A state near an orbit of the branch at t = 0, at the given parameters; none: as
-    /// [`periodic_orbit`](super::orbit::periodic_orbit) finds it there.
+    /// [`periodic_orbit`](super::orbit::periodic_orbit) finds it there, and where it finds none of the period, the
+    /// branch that bifurcations within the range lead to from the steady response.
     pub from: Option<[f64; 6]>,
     /// Most points each way from the start, 2 to 100,000. The fewer, the longer the steps, within bounds.
     pub points: usize,
@@ -112,15 +113,7 @@ pub struct BranchOptions {
 impl BranchOptions {
     /// Over Omega within a range, 1000 points each way at most, to 1e-10.
     pub fn new(range: [f64; 2], period: usize) -> Self {
-        Self {
-            parameter: "Omega",
-            range,
-            period,
-            from: None,
-            points: 1000,
-            max_step: None,
-            tolerance: 1e-10,
-        }
+        Self { parameter: "Omega", range, period, from: None, points: 1000, max_step: None, tolerance: 1e-10 }
     }
 }
 
@@ -246,7 +239,13 @@ pub(crate) fn bounds(p: &Parameters, options: &BranchOptions) -> Bounds {
     let even = (8.0 / options.points as f64).clamp(0.03, LONGEST_STEP);
     let longest = options.max_step.map_or(even, |step| step / scale.parameter);
     let tolerance = LAST_CORRECTION * (options.tolerance / 1e-10).clamp(0.1, 1e3);
-    Bounds { range: options.range, scale, longest: longest.min(LONGEST_STEP), points: options.points, tolerance }
+    Bounds {
+        range: options.range,
+        scale,
+        longest: longest.min(LONGEST_STEP),
+        points: options.points,
+        tolerance,
+    }
 }
 
 /// Two states as near as this, over the scale, are one.
@@ -298,8 +297,7 @@ fn first(
             let newton = newton::Options { tolerance: options.tolerance, ..newton::Options::default() };
             fixed_point(guess, newton, |state| {
                 let evaluation = family.evaluate(whole, state, value)?;
-                let rows =
-                    std::array::from_fn(|i| std::array::from_fn(|j| evaluation.derivative[(i, j)]));
+                let rows = std::array::from_fn(|i| std::array::from_fn(|j| evaluation.derivative[(i, j)]));
                 Ok((evaluation.image, rows))
             })?
             .point
@@ -307,20 +305,75 @@ fn first(
         None if period == common && unloaded(p) => trivial_state(p),
         None => {
             let wanted = OrbitOptions { period, guess: None, tolerance: options.tolerance };
-            let orbit = orbit::periodic_orbit(&there, &wanted)?;
-            if orbit.period != period {
-                return Err(NumericsError::NoConvergence {
-                    iterations: 0,
-                    residual: f64::INFINITY,
-                    tolerance: options.tolerance,
+            match orbit::periodic_orbit(&there, &wanted) {
+                Ok(orbit) if orbit.period == period => orbit.state,
+                found => {
+                    if let Some(born) = by_bifurcations(&there, family, period, bounds) {
+                        return Ok(born);
+                    }
+                    found?;
+                    return Err(NumericsError::NoConvergence {
+                        iterations: 0,
+                        residual: f64::INFINITY,
+                        tolerance: options.tolerance,
+                    }
+                    .into());
                 }
-                .into());
             }
-            orbit.state
         }
     };
     let path = recognise(family, &state, value, period, bounds.scale)?;
     Ok((path, on_branch(family, path, &state, value, bounds)?))
+}
+
+/// Most branches that are followed in search of one of a given period.
+const MOST_ANCESTORS: usize = 6;
+
+/// An orbit of a period on a branch that bifurcations lead to from the steady response, of all those born within the
+/// range the one born nearest to the present value.
+fn by_bifurcations(
+    there: &Parameters,
+    family: &mut GearFamily,
+    period: usize,
+    bounds: &Bounds,
+) -> Option<(Path, Point)> {
+    let (common, value) = (family.common(), family.value());
+    let state = if unloaded(there) {
+        trivial_state(there)
+    } else {
+        let options = OrbitOptions { period: common, ..OrbitOptions::default() };
+        orbit::response(there, common, &options, &Budget::default()).ok()?.state
+    };
+    let within = value.clamp(bounds.range[0], bounds.range[1]);
+    let path = recognise(family, &state, within, common, bounds.scale).ok()?;
+    let mut waiting = vec![(path, on_branch(family, path, &state, within, bounds).ok()?)];
+    for ancestor in 0..MOST_ANCESTORS {
+        let (path, start) = *waiting.get(ancestor)?;
+        let traces = both_ways(family, path, start, *bounds);
+        let mut births: Vec<(Birth, Point)> = Vec::new();
+        for trace in &traces {
+            for (_, located) in &trace.found {
+                let (_, birth) = switch::nature(family.group(), path, &trace.space, bounds.scale, located);
+                births.extend(birth.map(|birth| (birth, located.point)));
+            }
+        }
+        let distance = |point: &Point| (point.at[6] * bounds.scale.parameter - value).abs();
+        births.sort_unstable_by(|left, right| distance(&left.1).total_cmp(&distance(&right.1)));
+        for (birth, at) in births {
+            let reached = birth.path.period();
+            if reached > period || !period.is_multiple_of(reached) {
+                continue;
+            }
+            let Ok([_, second]) = switch::start(family, &birth, &at, bounds.scale, bounds.tolerance) else {
+                continue;
+            };
+            if reached == period {
+                return Some((birth.path, second));
+            }
+            waiting.push((birth.path, second));
+        }
+    }
+    None
 }
 
 /// A point of a branch near a state, at the same value of the parameter.
@@ -332,8 +385,7 @@ pub(crate) fn on_branch(
     bounds: &Bounds,
 ) -> Result<Point, NumericsError> {
     let space = Space::new(family.group(), path.keeping);
-    let frame =
-        Frame { kind: path.kind, space: &space, scale: bounds.scale, tolerance: bounds.tolerance };
+    let frame = Frame { kind: path.kind, space: &space, scale: bounds.scale, tolerance: bounds.tolerance };
     let mut normal = [0.0; 7];
     normal[6] = 1.0;
     let place = bounds.scale.scaled(&space.project(state), value);
@@ -458,12 +510,7 @@ fn event(
 }
 
 /// What was located, in words.
-fn describe(
-    family: &mut GearFamily,
-    trace: &Trace,
-    index: usize,
-    located: &Located,
-) -> Noted {
+fn describe(family: &mut GearFamily, trace: &Trace, index: usize, located: &Located) -> Noted {
     let scale = trace.bounds.scale;
     let (nature, birth) = switch::nature(family.group(), trace.path, &trace.space, scale, located);
     let mut supercritical = None;
@@ -472,8 +519,8 @@ fn describe(
         && let Ok([_, second]) = switch::start(family, birth, &located.point, scale, trace.bounds.tolerance)
         && let (Some(before), Some(after)) = (trace.points.get(index), trace.points.get(index + 1))
     {
-        let less_stable_above = (after.linear.outside() > before.linear.outside())
-            == (after.at[6] > before.at[6]);
+        let less_stable_above =
+            (after.linear.outside() > before.linear.outside()) == (after.at[6] > before.at[6]);
         supercritical = Some((second.at[6] > located.point.at[6]) == less_stable_above);
     }
     let event = event(family, scale, nature, &located.point, supercritical);
@@ -504,9 +551,10 @@ fn columns(
         im: Vec::with_capacity(count),
         events,
         ends,
-        method: "pseudo-arclength continuation, prediction of degree 5, variational Taylor series of order 16, \
+        method:
+            "pseudo-arclength continuation, prediction of degree 5, variational Taylor series of order 16, \
                  symmetric stroboscopic map"
-            .into(),
+                .into(),
         error: ErrorEstimate::default(),
     };
     let (mut residual, mut liouville) = (0.0_f64, 0.0_f64);

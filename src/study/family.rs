@@ -85,10 +85,8 @@ impl GearFamily {
             centre: if p.regime == Regime::Contact { trivial_state(p) } else { [0.0; 6] },
             ..Symmetry::IDENTITY
         });
-        let exchange = always(&|p| p.symmetric().is_ok()).then(|| Symmetry {
-            centre: sign.map_or([0.0; 6], |sign| sign.centre),
-            ..EXCHANGE
-        });
+        let exchange = always(&|p| p.symmetric().is_ok())
+            .then(|| Symmetry { centre: sign.map_or([0.0; 6], |sign| sign.centre), ..EXCHANGE });
         family.group = Group::new(sign, exchange);
         Ok(family)
     }
@@ -262,9 +260,8 @@ impl<'a> Seen<'a> {
             gradient: extreme.gradient.map(|value| sign * value),
         };
         let larger = |best: Extreme, other: Extreme| if other.value > best.value { other } else { best };
-        let largest = |index: usize| {
-            larger(signed(1.0, 0.0, &self.high[index]), signed(-1.0, 0.0, &self.low[index]))
-        };
+        let largest =
+            |index: usize| larger(signed(1.0, 0.0, &self.high[index]), signed(-1.0, 0.0, &self.low[index]));
         let last = self.places.len() - 1;
         let mut pinion = largest(0);
         if last == 2 && symmetry & SWAP != 0 {

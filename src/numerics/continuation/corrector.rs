@@ -37,6 +37,8 @@ pub struct Corrected {
 const ITERATIONS: usize = 8;
 /// The shift of the parameter by which the map is differenced, relative to it.
 const SHIFT: f64 = 1e-6;
+/// Distance from the branch up to which a tangent that was predicted with the place is believed.
+const TRUSTED: f64 = 1e-6;
 /// Least share of the parameter in a tangent from which the derivative by it is taken.
 const STEEP: f64 = 0.05;
 
@@ -87,18 +89,16 @@ pub fn correct(
     let Frame { kind, space, scale, tolerance } = *frame;
     let mut at = projected(space, scale, place);
     let mut slope: Option<State> = None;
+    let mut along = along;
     let mut last = f64::INFINITY;
     for iteration in 0..ITERATIONS {
         let (state, parameter) = scale.plain(&at);
         let evaluation = family.evaluate(kind, &state, parameter)?;
-        let slope = match (slope, along) {
+        let by_tangent = along.filter(|tangent| tangent[6].abs() > STEEP);
+        let slope = match (slope, by_tangent) {
             (Some(slope), _) => slope,
-            (None, Some(tangent)) if tangent[6].abs() > STEEP => {
-                *slope.insert(slope_along(&evaluation, tangent, scale))
-            }
-            _ => {
-                *slope.insert(by_parameter(family, kind, &state, parameter, &evaluation.image, scale)?)
-            }
+            (None, Some(tangent)) => slope_along(&evaluation, tangent, scale),
+            _ => *slope.insert(by_parameter(family, kind, &state, parameter, &evaluation.image, scale)?),
         };
         let residual = minus(&evaluation.image, &state);
         let off = dot(normal, &minus(&at, place));
@@ -106,6 +106,10 @@ pub fn correct(
         let size = norm(&step);
         if !size.is_finite() {
             return Err(NumericsError::NotFinite { time: 0.0 });
+        }
+        // A place that is off tells that the tangent is, too.
+        if size > TRUSTED {
+            along = None;
         }
         let worst = residual.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         // What no longer shrinks but is small is as good as the map's own rounding allows.
@@ -177,12 +181,7 @@ type System = [[f64; 9]; 7];
 
 /// The linearised map, bordered by its derivative by the parameter and by the normal: the unknowns are the
 /// components within the fixed space, then the parameter.
-fn bordered(
-    frame: &Frame<'_>,
-    evaluation: &Evaluation,
-    slope: &State,
-    normal: &Scaled,
-) -> (System, Scaled) {
+fn bordered(frame: &Frame<'_>, evaluation: &Evaluation, slope: &State, normal: &Scaled) -> (System, Scaled) {
     let Frame { space, scale, .. } = *frame;
     let fixed = space.fixed;
     let mut system = [[0.0; 9]; 7];

@@ -17,6 +17,8 @@ pub struct Tests {
     pub minus: f64,
     /// Product of `1 - mu_i mu_j` over all pairs: zero where a complex pair is on the unit circle.
     pub pair: f64,
+    /// Least distance of a multiplier from +1.
+    pub from_one: f64,
     /// Least distance of a multiplier from the unit circle; 1 for an undamped system.
     pub margin: f64,
     /// Number of multipliers outside the unit circle.
@@ -94,12 +96,19 @@ fn block_spectrum(matrix: &Matrix6, from: usize, to: usize) -> Result<Spectrum, 
     }))
 }
 
+/// Moduli above 1 by less are so by rounding: on a branch of a linear system, along which the parameter stays the same,
+/// one multiplier is 1.
+const ROUNDING: f64 = 1e-9;
+/// Nearer to +1 than this at both ends of an interval, a multiplier stays there, and the sign of its test function is
+/// rounding.
+const NEUTRAL: f64 = 1e-7;
+
 /// Test functions of a block from its multipliers.
 fn tests(spectrum: &Spectrum, size: usize, slack: f64) -> Tests {
     let value = |i: usize| (spectrum.re[i], spectrum.im[i]);
     let times = |(a, b): (f64, f64), (c, d): (f64, f64)| (a * c - b * d, a * d + b * c);
     let (mut plus, mut minus, mut pair) = ((1.0, 0.0), (1.0, 0.0), (1.0, 0.0));
-    let (mut outside, mut margin) = (0, 1.0_f64);
+    let (mut outside, mut margin, mut from_one) = (0, 1.0_f64, f64::INFINITY);
     for i in 0..size {
         let (re, im) = value(i);
         plus = times(plus, (re - 1.0, im));
@@ -109,13 +118,21 @@ fn tests(spectrum: &Spectrum, size: usize, slack: f64) -> Tests {
             pair = times(pair, (1.0 - x, -y));
         }
         let modulus = re.hypot(im);
-        outside += usize::from(modulus > 1.0 + slack);
+        outside += usize::from(modulus > 1.0 + slack.max(ROUNDING));
+        from_one = from_one.min((re - 1.0).hypot(im));
         if slack == 0.0 {
             margin = margin.min((modulus - 1.0).abs());
         }
     }
     // Undamped, the multipliers come in reciprocal pairs, and the product is zero everywhere.
-    Tests { plus: plus.0, minus: minus.0, pair: if slack > 0.0 { 0.0 } else { pair.0 }, margin, outside }
+    Tests {
+        plus: plus.0,
+        minus: minus.0,
+        pair: if slack > 0.0 { 0.0 } else { pair.0 },
+        from_one,
+        margin,
+        outside,
+    }
 }
 
 /// What happens at a point of a branch.
@@ -176,6 +193,9 @@ pub struct Search<'a> {
     pub frame: Frame<'a>,
     /// Points of the branch around the interval, for interpolation.
     pub knots: &'a [Knot],
+    /// Along the chord of the whole interval: one normal for all points between, so that they lie in the order of
+    /// their arclengths.
+    pub normal: Scaled,
     /// What is found, in order.
     pub found: Vec<Located>,
 }
@@ -242,8 +262,7 @@ impl Search<'_> {
         } else {
             predictor::place(self.knots, arc)
         };
-        let chord = unit(&minus(&to.at, &from.at));
-        let corrected = correct(family, &self.frame, &place, &chord, None)?;
+        let corrected = correct(family, &self.frame, &place, &self.normal, None)?;
         let slack = family.slack();
         finish(corrected, arc, self.frame.space, slack)
     }
@@ -347,14 +366,18 @@ pub fn finish(corrected: Corrected, arc: f64, space: &Space, slack: f64) -> Resu
 
 /// Whether the parameter runs one way at one point and the other way at the other.
 fn turns(from: &Point, to: &Point) -> bool {
-    (from.tangent[6] > 0.0) != (to.tangent[6] > 0.0)
+    let (before, after) = (from.tangent[6], to.tangent[6]);
+    (before > 0.0) != (after > 0.0) && before.abs().max(after.abs()) > NEUTRAL
 }
 
 /// Whether this change, and no other of its block, is what tells two points apart.
 fn changed(from: &Point, to: &Point, sign: Sign, block: usize) -> bool {
     let (before, after) = (&from.linear.blocks[block], &to.linear.blocks[block]);
     match sign {
-        Sign::Plus => (before.plus > 0.0) != (after.plus > 0.0),
+        Sign::Plus => {
+            let neutral = before.from_one.max(after.from_one) < NEUTRAL;
+            (before.plus > 0.0) != (after.plus > 0.0) && !neutral
+        }
         Sign::Minus => (before.minus > 0.0) != (after.minus > 0.0),
         Sign::Pair => before.outside != after.outside,
         Sign::Touch => from.evaluation.pieces != to.evaluation.pieces,
@@ -383,7 +406,7 @@ pub fn changes(from: &Point, to: &Point) -> Vec<(Sign, usize)> {
         }
         // Each crossing of +1 or -1 moves one multiplier; what is moved beyond that are pairs.
         let moved = before.outside.abs_diff(after.outside);
-        for _ in 0..moved.saturating_sub(explained).div_ceil(2) {
+        for _ in 0..moved.saturating_sub(explained) / 2 {
             changes.push((Sign::Pair, block));
         }
     }

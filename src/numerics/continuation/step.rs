@@ -4,7 +4,7 @@ use super::corrector::{Frame, correct};
 use super::detect::{self, Located, Point, Search, finish};
 use super::predictor::{self, Knot, MOST};
 use super::symmetry::{Group, Space};
-use super::{Family, Path, Scale, State, dot, minus, norm};
+use super::{Family, Path, Scale, State, dot, minus, norm, unit};
 use crate::error::NumericsError;
 
 /// How a branch is followed.
@@ -188,9 +188,11 @@ impl Trace {
         let mut normal = last.tangent;
         let ends = self.bounds.range.map(|value| value / self.bounds.scale.parameter);
         // A step that would leave the range is taken to its end exactly.
-        let leaving = ends.into_iter().find(|end| (place[6] - end) * (last.at[6] - end) <= 0.0 && {
-            let outwards = (place[6] - last.at[6]) * (end - last.at[6]);
-            outwards > 0.0
+        let leaving = ends.into_iter().find(|end| {
+            (place[6] - end) * (last.at[6] - end) <= 0.0 && {
+                let outwards = (place[6] - last.at[6]) * (end - last.at[6]);
+                outwards > 0.0
+            }
         });
         if let Some(end) = leaving {
             let (mut low, mut high) = (last.arc, arc);
@@ -264,7 +266,8 @@ impl Trace {
             knots.remove(0);
         }
         knots.push(point.knot());
-        let mut search = Search { frame: self.fine_frame(), knots: &knots, found: Vec::new() };
+        let normal = unit(&minus(&point.at, &last.at));
+        let mut search = Search { frame: self.fine_frame(), knots: &knots, normal, found: Vec::new() };
         search.between(family, last, point, 0)?;
         let found = search.found;
         // Where the orbit grazes, the branch has a kink in its second derivative.
@@ -292,7 +295,8 @@ impl Trace {
                 return;
             }
             let knots = self.knots();
-            let mut search = Search { frame: self.fine_frame(), knots: &knots, found: Vec::new() };
+            let normal = unit(&minus(&to.at, &from.at));
+            let mut search = Search { frame: self.fine_frame(), knots: &knots, normal, found: Vec::new() };
             let Ok(point) = search.point(family, &from, &to, arc) else { return };
             let both = search.between(family, &from, &point, 0);
             let left_of_it = search.found.len();

@@ -179,12 +179,8 @@ pub fn finish_shrunk(
     let before = trace.points.last().map_or(guess.0, |point| point.arc);
     let tangent = last.map_or([0.0; 7], |point| point.tangent);
     let chord = trace.points.last().map_or(0.0, |point| norm(&minus(&at, &point.at)));
-    let frame = Frame {
-        kind: trace.path.kind,
-        space: &trace.space,
-        scale,
-        tolerance: trace.bounds.tolerance,
-    };
+    let frame =
+        Frame { kind: trace.path.kind, space: &trace.space, scale, tolerance: trace.bounds.tolerance };
     let end = at_bifurcation(family, &frame, &at, tangent, before + chord)?;
     trace.points.push(end);
     Ok((parent, nature))
@@ -253,29 +249,35 @@ fn on_parent(
     let slack = family.slack();
     let mut normal = [0.0; 7];
     normal[6] = 1.0;
-    let mut distance = |parameter: f64, from: &Scaled| -> Option<(f64, Scaled)> {
-        let mut place = *from;
+    let mut tests = |parameter: f64| -> Option<([f64; 2], Scaled)> {
+        let mut place = *near;
         place[6] = parameter;
         let corrected = correct(family, &frame, &place, &normal, None).ok()?;
         let point = finish(corrected, 0.0, &space, slack).ok()?;
-        let spectrum = point.linear.spectrum;
-        let nearest = (0..6).filter(|&i| spectrum.im[i] == 0.0).map(|i| spectrum.re[i] - target);
-        let nearest = nearest.min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
-        Some((nearest, point.at))
+        let [first, second] = point.linear.blocks;
+        let mut values = [f64::INFINITY; 2];
+        for (value, block) in values.iter_mut().zip([first, second]).take(point.linear.count) {
+            *value = if target > 0.0 { block.plus } else { block.minus };
+        }
+        Some((values, point.at))
     };
+    // The block whose test function is nearest to a root by its own slope.
     let (mut before, mut here) = (near[6] + 1e-4, near[6]);
-    let mut at_before = distance(before, near)?.0;
+    let (at_before, at_here) = (tests(before)?.0, tests(here)?.0);
+    let step = |block: usize| (at_here[block] / (at_here[block] - at_before[block])).abs();
+    let block = usize::from(step(1) < step(0));
+    let mut last = at_before[block];
     for _ in 0..20 {
-        let (at_here, place) = distance(here, near)?;
-        let slope = (at_here - at_before) / (here - before);
-        let step = if slope == 0.0 { 0.0 } else { -at_here / slope };
+        let (values, place) = tests(here)?;
+        let value = values[block];
+        let step = if value == last { 0.0 } else { -value * (here - before) / (value - last) };
         if !step.is_finite() || (here + step - near[6]).abs() > 0.05 {
             return None;
         }
         if step.abs() < 1e-12 {
             return Some(place);
         }
-        (before, at_before) = (here, at_here);
+        (before, last) = (here, value);
         here += step;
     }
     None

@@ -145,9 +145,7 @@ impl Space {
             }
         }
         let even = split.map_or(6, |element| {
-            (0..6)
-                .filter(|&i| near(&element.turn(&columns[i]), &columns[i], 1e-12))
-                .count()
+            (0..6).filter(|&i| near(&element.turn(&columns[i]), &columns[i], 1e-12)).count()
         });
         let basis = Matrix6::from_fn(|row, column| columns[column][row]);
         let centre = kept.first().map_or([0.0; 6], |element| element.centre);
@@ -225,11 +223,7 @@ mod tests {
     }
 
     fn exchange() -> Symmetry {
-        Symmetry {
-            from: [1, 0, 2, 4, 3, 5],
-            sign: [-1.0, -1.0, 1.0, -1.0, -1.0, 1.0],
-            centre: [0.0; 6],
-        }
+        Symmetry { from: [1, 0, 2, 4, 3, 5], sign: [-1.0, -1.0, 1.0, -1.0, -1.0, 1.0], centre: [0.0; 6] }
     }
 
     #[test]
