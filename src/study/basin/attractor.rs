@@ -299,19 +299,8 @@ fn stays_on_manifold(pair: &GearPair, options: &BasinOptions, orbit: &[f64; 6]) 
     let opposed = |state: &[f64; 6], near: f64| {
         (state[0] + state[1]).abs() <= near && (state[3] + state[4]).abs() <= near
     };
-    let both = |pair: [usize; 2]| pair.iter().all(|coordinate| options.plane.contains(coordinate));
-    let any = |pair: [usize; 2]| pair.iter().any(|coordinate| options.plane.contains(coordinate));
-    let mut rest = options.state;
-    if any([0, 1]) {
-        (rest[0], rest[1]) = (0.0, 0.0);
-    }
-    if any([3, 4]) {
-        (rest[3], rest[4]) = (0.0, 0.0);
-    }
     pair.parameters.symmetric().is_ok()
-        && !both([0, 1])
-        && !both([3, 4])
-        && opposed(&rest, 0.0)
+        && super::starts_on_manifold(options)
         && opposed(orbit, 1e-9 * size(orbit))
 }
 
