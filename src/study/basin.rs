@@ -303,7 +303,7 @@ impl BasinWork {
                 Carried::On => {
                     let arrival = &mut cell.arrival;
                     attractor::arrived(&self.known, &cell.state, cell.periods, self.common, arrival)
-                        .map(|(attractor, phase)| (attractor as i32, phase))
+                        .map(|(attractor, phase)| (number(attractor), phase))
                 }
             };
             match verdict {
@@ -365,6 +365,11 @@ impl BasinWork {
         let both = coarse.escaped.is_none() && fine.escaped.is_none();
         Ok(both.then(|| largest_difference(&coarse.state, &fine.state)))
     }
+}
+
+/// An attractor's index as it stands in a cell.
+fn number(attractor: usize) -> i32 {
+    i32::try_from(attractor).unwrap_or(UNDECIDED)
 }
 
 fn check(options: &BasinOptions) -> Result<(), StudyError> {

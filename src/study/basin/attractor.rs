@@ -311,7 +311,7 @@ pub(super) fn mirror_image(known: &Known, all: &[Known]) -> (i32, Vec<u8>) {
         AttractorKind::Torus => {
             let same = other.attractor.kind == image.kind
                 && image.points[POINTS - POINTS / 8..].iter().all(|state| other.is_near(state));
-            same.then(|| (index as i32, vec![0]))
+            same.then(|| (super::number(index), vec![0]))
         }
         AttractorKind::Orbit { period } => {
             if !is_same_orbit(&image, &other.attractor) {
@@ -323,7 +323,7 @@ pub(super) fn mirror_image(known: &Known, all: &[Known]) -> (i32, Vec<u8>) {
                 .points
                 .iter()
                 .position(|point| largest_difference(point, &image.state) < near)?;
-            Some((index as i32, (0..period).map(|phase| ((phase + shift) % period) as u8).collect()))
+            Some((super::number(index), (0..period).map(|phase| ((phase + shift) % period) as u8).collect()))
         }
     });
     found.unwrap_or((super::UNDECIDED, vec![0]))
