@@ -225,7 +225,9 @@ fn directions(dimension: usize) -> Vec<Vec<f64>> {
             })
             .collect();
         let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-12);
-        direction.iter_mut().for_each(|x| *x /= length);
+        for x in &mut direction {
+            *x /= length;
+        }
         all.push(direction);
     }
     all
@@ -250,7 +252,7 @@ mod tests {
         ball.grow(1e-3, 10.0, &mut |x| Some(map(x)));
         assert!(ball.reach().iter().all(|reach| *reach > 0.4 && *reach < 1.0), "{:?}", ball.reach());
         for index in 0..400 {
-            let start = [(index % 20) as f64 * 0.15 - 1.5, (index / 20) as f64 * 0.15 - 1.5];
+            let start = [f64::from(index % 20) * 0.15 - 1.5, f64::from(index / 20) * 0.15 - 1.5];
             if ball.contains(&start) {
                 let end = (0..500).fold(start.to_vec(), |x, _| map(&x));
                 assert!(end[0].abs() + end[1].abs() < 1e-9, "{start:?}");

@@ -47,25 +47,53 @@ pub struct Found {
     pub iterations: usize,
 }
 
-/// The interpolating function that is 1 at theta = 0 and 0 at all other nodes of `count`, for functions of period 1
-/// (any count), or mirrored ones (an even count).
-pub fn cardinal(count: usize, mirrored: bool, theta: f64) -> f64 {
-    let n = count as f64;
-    let angle = if mirrored { TAU * theta } else { PI * theta };
-    let (sine, cosine) = angle.sin_cos();
-    if sine.abs() < 1e-9 {
-        // The limit: mirrored functions change sign from one half to the other.
-        return if mirrored && cosine < 0.0 { -1.0 } else { 1.0 };
+/// Trigonometric interpolation from evenly spaced nodes: of functions of period 1 from any number of nodes, or, mirrored,
+/// of functions that change sign over half a period, from an even number on its first half.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Weights {
+    mirrored: bool,
+    /// Sine and cosine of the angle of each node in which the function's own denominator turns.
+    nodes: Vec<(f64, f64)>,
+}
+
+impl Weights {
+    /// For so many nodes.
+    pub fn new(count: usize, mirrored: bool) -> Self {
+        Self { mirrored, nodes: (0..count).map(|node| (PI * node as f64 / count as f64).sin_cos()).collect() }
     }
-    let numerator = (n * angle).sin();
-    if !mirrored && count.is_multiple_of(2) {
-        numerator * cosine / (n * sine)
-    } else {
-        numerator / (n * sine)
+
+    /// Adds to `sums` the interpolated values at theta; `values` holds as many numbers a node as there are sums.
+    pub fn combine(&self, theta: f64, values: &[f64], sums: &mut [f64]) {
+        let count = self.nodes.len();
+        let theta = theta - theta.floor();
+        let angle = if self.mirrored { TAU * theta } else { PI * theta };
+        let (sine, cosine) = angle.sin_cos();
+        let even = !self.mirrored && count.is_multiple_of(2);
+        let numerator = (count as f64 * angle).sin() / count as f64;
+        let mut sign = 1.0;
+        for (&(node_sine, node_cosine), values) in self.nodes.iter().zip(values.chunks_exact(sums.len())) {
+            // Sine and cosine of the distance from the node; the numerator there is the same up to its sign.
+            let distance = sine * node_cosine - cosine * node_sine;
+            let along = cosine * node_cosine + sine * node_sine;
+            if distance.abs() < 1e-9 {
+                // At a node, or, mirrored, half a turn from it.
+                let weight = if self.mirrored && along < 0.0 { -1.0 } else { 1.0 };
+                for (sum, value) in sums.iter_mut().zip(values) {
+                    *sum = weight * value;
+                }
+                return;
+            }
+            let weight = sign * numerator * if even { along } else { 1.0 } / distance;
+            for (sum, value) in sums.iter_mut().zip(values) {
+                *sum += weight * value;
+            }
+            sign = -sign;
+        }
     }
 }
 
-/// Value and derivative by theta of [`cardinal`], as the sum of its harmonics; for an odd count, or mirrored.
+/// Value and derivative by theta of the interpolation weight of the node at 0, as the sum of its harmonics; for an odd
+/// count, or mirrored.
 fn cardinal_and_slope(count: usize, mirrored: bool, theta: f64) -> (f64, f64) {
     let (mut value, mut slope) = (if mirrored { 0.0 } else { 1.0 }, 0.0);
     let harmonics = count / 2;
@@ -92,13 +120,8 @@ impl Circle {
     /// The point at theta.
     pub fn point(&self, theta: f64) -> Vec<f64> {
         let mut point = vec![0.0; self.dimension];
-        let theta = theta - theta.floor();
-        for (index, node) in self.nodes.chunks_exact(self.dimension).enumerate() {
-            let weight = cardinal(self.count(), self.mirrored, theta - self.theta(index));
-            for (sum, value) in point.iter_mut().zip(node) {
-                *sum += weight * value;
-            }
-        }
+        let weights = Weights::new(self.count(), self.mirrored);
+        weights.combine(theta, &self.nodes, &mut point);
         point
     }
 
@@ -357,19 +380,23 @@ mod tests {
     }
 
     #[test]
-    fn interpolation_is_one_at_its_node_and_none_at_the_others() {
-        for (count, mirrored) in [(5, false), (6, false), (6, true)] {
-            let turns = if mirrored { 2 * count } else { count };
-            for node in 0..turns {
-                let value = cardinal(count, mirrored, node as f64 / turns as f64);
-                let expected = if node == 0 {
-                    1.0
-                } else if mirrored && node == count {
-                    -1.0
+    fn interpolation_is_exact_for_the_harmonics_it_holds() {
+        for (count, mirrored) in [(7, false), (8, false), (8, true)] {
+            let function = |theta: f64| {
+                let angle = TAU * theta;
+                if mirrored {
+                    angle.cos() + 0.3 * (3.0 * angle).sin()
                 } else {
-                    0.0
-                };
-                assert!((value - expected).abs() < 1e-12, "{count} {mirrored} {node}: {value}");
+                    0.4 + angle.sin() + (2.0 * angle).cos()
+                }
+            };
+            let turns = if mirrored { 2 * count } else { count };
+            let values: Vec<f64> = (0..count).map(|node| function(node as f64 / turns as f64)).collect();
+            let weights = Weights::new(count, mirrored);
+            for theta in [0.0, 0.123, 0.5, 0.77, 1.2, -0.3, 1.0 / turns as f64] {
+                let mut sum = [0.0];
+                weights.combine(theta, &values, &mut sum);
+                assert!((sum[0] - function(theta)).abs() < 1e-12, "{count} {mirrored} {theta}: {}", sum[0]);
             }
         }
     }

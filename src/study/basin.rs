@@ -12,9 +12,11 @@ use super::multipliers::{common_period, trivial_state};
 use super::time_response::largest_difference;
 use crate::error::StudyError;
 use crate::model::equations::GearPair;
+use crate::model::manifold::{LANES, OnManifold};
 use crate::model::parameters::{Parameters, Regime};
 
 mod attractor;
+mod lanes;
 use attractor::{Arrival, Known};
 pub use attractor::{Attractor, AttractorKind};
 
@@ -102,6 +104,17 @@ struct Cell {
     arrival: Arrival,
 }
 
+/// What became of a cell in a period.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Carried {
+    /// It goes on.
+    On,
+    /// It escaped.
+    Escaped,
+    /// Its integration failed.
+    Failed,
+}
+
 /// Basins in the making.
 #[derive(Clone, Debug)]
 pub struct BasinWork {
@@ -112,7 +125,10 @@ pub struct BasinWork {
     stage: Stage,
     /// The cells of this share, coarse to fine.
     order: Vec<u32>,
-    cell: Option<Cell>,
+    /// Cells under way: as many as there are lanes, or one.
+    cells: Vec<Cell>,
+    /// The field of several motions side by side, where all starts are on the manifold `u_g = -u_p`.
+    lanes: Option<OnManifold>,
     /// Where the plane is its own mirror image under `u -> -u`: the attractor and the shift of phase that each attractor
     /// and phase turns into.
     mirror: Option<Vec<(i32, Vec<u8>)>>,
@@ -159,7 +175,8 @@ impl BasinWork {
             known: Vec::new(),
             stage: Stage::Search(0),
             order,
-            cell: None,
+            cells: Vec::new(),
+            lanes: OnManifold::new(p).filter(|_| common == 1 && starts_on_manifold(options)),
             mirror: None,
             mirrored,
             steps: 0,
@@ -176,7 +193,7 @@ impl BasinWork {
         while self.steps < until {
             match self.stage {
                 Stage::Search(index) => self.search(index)?,
-                Stage::Cells(place) => self.follow(place, until)?,
+                Stage::Cells(_) => self.follow(),
                 Stage::Done => return Ok(true),
             }
         }
@@ -242,66 +259,71 @@ impl BasinWork {
         state
     }
 
-    /// Follows the present cell until it is decided or the slice is over.
-    fn follow(&mut self, place: usize, until: usize) -> Result<(), StudyError> {
-        let Some(&index) = self.order.get(place) else {
-            self.stage = Stage::Done;
-            return Ok(());
-        };
+    /// The next cell of the order whose start is within the bounds of escape.
+    fn next_cell(&mut self) -> Option<Cell> {
+        while let Stage::Cells(place) = self.stage {
+            let index = *self.order.get(place)? as usize;
+            self.stage = Stage::Cells(place + 1);
+            let (x, y) = (index % self.options.x.count, index / self.options.x.count);
+            let state = self.start(self.options.x.value(x), self.options.y.value(y));
+            if motion::check_state(&self.pair, &state).is_ok() {
+                return Some(Cell { index, state, periods: 0, arrival: Arrival::default() });
+            }
+            self.decide(index, ESCAPED, 0);
+        }
+        None
+    }
+
+    /// Carries the cells under way through one period, and begins others in the place of those that are decided.
+    fn follow(&mut self) {
         if self.steps > MOST_STEPS {
             self.stage = Stage::Done;
-            return Ok(());
+            return;
         }
-        let index = index as usize;
-        let mut cell = match self.cell.take() {
-            Some(cell) => cell,
-            None => {
-                let (x, y) = (index % self.options.x.count, index / self.options.x.count);
-                let state = self.start(self.options.x.value(x), self.options.y.value(y));
-                if motion::check_state(&self.pair, &state).is_err() {
-                    self.decide(index, ESCAPED, 0);
-                    self.stage = Stage::Cells(place + 1);
-                    return Ok(());
-                }
-                Cell { index, state, periods: 0, arrival: Arrival::default() }
-            }
+        let side_by_side = if self.lanes.is_some() { LANES } else { 1 };
+        while self.cells.len() < side_by_side {
+            let Some(cell) = self.next_cell() else { break };
+            self.cells.push(cell);
+        }
+        if self.cells.is_empty() {
+            self.stage = Stage::Done;
+            return;
+        }
+        let mut cells = std::mem::take(&mut self.cells);
+        let (escaped, steps) = match &self.lanes {
+            Some(field) => lanes::carry(field, &self.pair, &mut cells, self.options.tolerance),
+            None => self.carry_alone(&mut cells[0]),
         };
-        let period = self.pair.parameters.mesh_period();
-        let verdict = loop {
-            if cell.periods >= self.options.periods {
-                break Some((UNDECIDED, 0));
-            }
-            if self.steps > until {
-                break None;
-            }
-            let start = (cell.periods % self.common) as f64 * period;
-            // A period that takes more steps than any study grants it is one that cannot be decided.
-            let Ok(reached) =
-                motion::carry(&self.pair, start, cell.state, start + period, self.options.tolerance)
-            else {
-                self.steps += SLICE;
-                break Some((UNDECIDED, 0));
-            };
-            self.steps += reached.steps;
-            if reached.escaped.is_some() {
-                break Some((ESCAPED, 0));
-            }
-            cell.state = reached.state;
+        self.steps += steps;
+        for (lane, mut cell) in cells.into_iter().enumerate() {
             cell.periods += 1;
-            if let Some((attractor, phase)) =
-                attractor::arrived(&self.known, &cell.state, cell.periods, self.common, &mut cell.arrival)
-            {
-                break Some((attractor as i32, phase));
+            let verdict = match escaped[lane] {
+                Carried::Escaped => Some((ESCAPED, 0)),
+                Carried::Failed => Some((UNDECIDED, 0)),
+                Carried::On => {
+                    let arrival = &mut cell.arrival;
+                    attractor::arrived(&self.known, &cell.state, cell.periods, self.common, arrival)
+                        .map(|(attractor, phase)| (number(attractor), phase))
+                }
+            };
+            match verdict {
+                Some((attractor, phase)) => self.decide(cell.index, attractor, phase),
+                None if cell.periods >= self.options.periods => self.decide(cell.index, UNDECIDED, 0),
+                None => self.cells.push(cell),
             }
-        };
-        match verdict {
-            Some((attractor, phase)) => {
-                self.decide(cell.index, attractor, phase);
-                self.stage = Stage::Cells(place + 1);
-            }
-            None => self.cell = Some(cell),
         }
-        Ok(())
+    }
+
+    /// Carries one cell through one period.
+    fn carry_alone(&self, cell: &mut Cell) -> ([Carried; LANES], usize) {
+        let period = self.pair.parameters.mesh_period();
+        let start = (cell.periods % self.common) as f64 * period;
+        let reached = motion::carry(&self.pair, start, cell.state, start + period, self.options.tolerance);
+        // A period that takes more steps than any study grants it is one that cannot be decided.
+        let Ok(reached) = reached else { return ([Carried::Failed; LANES], SLICE) };
+        cell.state = reached.state;
+        let carried = if reached.escaped.is_some() { Carried::Escaped } else { Carried::On };
+        ([carried; LANES], reached.steps)
     }
 
     fn decide(&mut self, index: usize, attractor: i32, phase: u8) {
@@ -345,6 +367,11 @@ impl BasinWork {
     }
 }
 
+/// An attractor's index as it stands in a cell.
+fn number(attractor: usize) -> i32 {
+    i32::try_from(attractor).unwrap_or(UNDECIDED)
+}
+
 fn check(options: &BasinOptions) -> Result<(), StudyError> {
     let refused = |option: &'static str, given: String, allowed: &str| {
         Err(StudyError::Option { option, given, allowed: allowed.into() })
@@ -375,6 +402,16 @@ fn check(options: &BasinOptions) -> Result<(), StudyError> {
         );
     }
     Ok(())
+}
+
+/// Whether all starts of the plane have `u_g = -u_p`.
+fn starts_on_manifold(options: &BasinOptions) -> bool {
+    [[0, 1], [3, 4]].iter().all(|pair| match pair.iter().filter(|c| options.plane.contains(c)).count() {
+        0 => options.state[pair[0]] + options.state[pair[1]] == 0.0,
+        // The other wheel's is made opposite.
+        1 => true,
+        _ => false,
+    })
 }
 
 /// The other wheel's coordinate.

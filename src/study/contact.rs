@@ -7,11 +7,9 @@
 use std::cell::RefCell;
 
 use super::ErrorEstimate;
-use super::grid::Grid;
 use super::motion::{self, ORDER_16};
 use super::multipliers::{Budget, common_period, image, is_stable, trivial_state, unloaded};
 use super::orbit::{self, OrbitOptions};
-use super::sweep::at_frequency;
 use super::time_response::largest_difference;
 use crate::error::{NumericsError, StudyError};
 use crate::model::equations::{GearPair, U};
@@ -21,6 +19,9 @@ use crate::numerics::floquet;
 use crate::numerics::ode::taylor::Options;
 use crate::numerics::periodic::matrix;
 use crate::numerics::roots::{self, bracketed_root};
+
+mod curve;
+pub use curve::{LeastLoadCurve, LeastLoadWork, least_load_curve};
 
 /// Most integration steps of one answer: a second or two.
 const MOST_STEPS: usize = 400_000;
@@ -176,7 +177,7 @@ impl<'a> Responses<'a> {
             }
         }
         let (residual, state) = best;
-        if !(residual <= self.tolerance * (1.0 + largest(&state))) {
+        if residual.is_nan() || residual > self.tolerance * (1.0 + largest(&state)) {
             *factors = None;
             return Err(NumericsError::NoConvergence {
                 iterations: ITERATIONS,
@@ -569,85 +570,4 @@ fn between(
         (Ok(load), None) if load == best.load => Ok(Some(best)),
         (Ok(load), None) => Ok(Some(responses.near(load, best.state)?)),
     }
-}
-
-/// The least load over the mesh frequency.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct LeastLoadCurve {
-    /// Mesh frequencies done so far.
-    pub omega: Vec<f64>,
-    /// The least load at each: [`LeastLoad::load`].
-    pub load: Vec<Option<f64>>,
-    /// The same whether the response is stable or not: [`LeastLoad::contact_load`].
-    pub contact_load: Vec<Option<f64>>,
-    /// Why there is none: [`LeastLoad::reason`]. A search that took too much work counts as no response.
-    pub reason: Vec<Option<NoLoad>>,
-    /// How it was computed.
-    pub method: String,
-    /// What is known of the error: `residual`, the greatest margin at the loads of `contact_load` that are above 0.
-    pub error: ErrorEstimate,
-}
-
-/// The curve in the making, frequency by frequency.
-#[derive(Clone, Debug)]
-pub struct LeastLoadWork {
-    parameters: Parameters,
-    omega: Grid,
-    tolerance: f64,
-    curve: LeastLoadCurve,
-}
-
-impl LeastLoadWork {
-    /// Prepares the curve. The loads' frequencies keep their ratio to the mesh frequency.
-    ///
-    /// # Errors
-    /// [`StudyError::Option`] for a tolerance out of range, [`StudyError::Model`] for an incommensurate load.
-    pub fn new(p: &Parameters, omega: Grid, tolerance: f64) -> Result<Self, StudyError> {
-        motion::check_tolerance(tolerance)?;
-        common_period(p)?;
-        Ok(Self { parameters: *p, omega, tolerance, curve: LeastLoadCurve::default() })
-    }
-
-    /// Does the next frequency; true when all are done.
-    ///
-    /// # Errors
-    /// [`StudyError`] where the question itself is refused; a frequency whose search fails has no load instead.
-    pub fn advance(&mut self) -> Result<bool, StudyError> {
-        let index = self.curve.omega.len();
-        if index >= self.omega.count {
-            return Ok(true);
-        }
-        let omega = self.omega.value(index);
-        let (load, contact_load, reason) =
-            match least_load(&at_frequency(&self.parameters, omega), self.tolerance) {
-                Ok(least) => {
-                    let most = self.curve.error.residual.unwrap_or(0.0);
-                    self.curve.error.residual = Some(least.error.residual.unwrap_or(0.0).max(most));
-                    self.curve.method = least.method;
-                    (least.load, least.contact_load, least.reason)
-                }
-                Err(StudyError::Numerics(_)) => (None, None, Some(NoLoad::NoResponse)),
-                Err(error) => return Err(error),
-            };
-        self.curve.omega.push(omega);
-        self.curve.load.push(load);
-        self.curve.contact_load.push(contact_load);
-        self.curve.reason.push(reason);
-        Ok(index + 1 >= self.omega.count)
-    }
-
-    /// The curve so far.
-    pub fn curve(&self) -> &LeastLoadCurve {
-        &self.curve
-    }
-}
-
-/// The least load over the mesh frequency.
-///
-/// # Errors
-/// As [`LeastLoadWork`].
-pub fn least_load_curve(p: &Parameters, omega: Grid, tolerance: f64) -> Result<LeastLoadCurve, StudyError> {
-    let mut work = LeastLoadWork::new(p, omega, tolerance)?;
-    while !work.advance()? {}
-    Ok(work.curve)
 }

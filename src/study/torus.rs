@@ -16,16 +16,18 @@ use crate::model::equations::{GearPair, U};
 use crate::model::parameters::{Parameters, Regime};
 use crate::numerics::birkhoff;
 use crate::numerics::lyapunov::orthonormalise;
-use crate::numerics::torus::{Circle, Map, Options, cardinal};
+use crate::numerics::torus::{Circle, Map, Options, Weights};
 use crate::theory::{Modes, branches};
 
+mod branch;
 mod seed;
+pub use branch::{TorusBranch, TorusBranchWork, TorusEnd, torus_branch};
 pub use seed::Averages;
 
 /// Coordinates that are left on the manifold `u_g = -u_p`.
 const ON_MANIFOLD: [usize; 4] = [0, 2, 3, 5];
-/// Most unknowns of the collocation: half a second's work at most.
-const MOST_UNKNOWNS: usize = 1100;
+/// Most unknowns of the collocation: some tenths of a second's work at most.
+const MOST_UNKNOWNS: usize = 800;
 /// A circle whose defect stays above this part of its size is not believed.
 const WORST_DEFECT: f64 = 1e-4;
 /// Points on the circle over which its means and extremes are taken.
@@ -194,6 +196,9 @@ impl Section<'_> {
                 image(&self.pair, &self.expand(node), self.periods, self.tolerance, 1.0, full.budget)?;
             derivatives.extend(matrix.into_iter().flatten());
         }
+        // Of a mirrored circle both halves have the same derivatives.
+        let turns = if circle.mirrored { 2.0 } else { 1.0 };
+        let interpolation = Weights::new(count, false);
         let weights = birkhoff::weights(GROWTH_STEPS);
         let mut frame = [0.0; 36];
         (0..6).for_each(|i| frame[7 * i] = 1.0);
@@ -201,7 +206,8 @@ impl Section<'_> {
         let turning = GROWTH_STEPS / 4;
         for step in 0..turning + GROWTH_STEPS {
             let theta = (step as f64 * circle.rotation).rem_euclid(1.0);
-            let derivative = interpolated(circle, &derivatives, theta);
+            let mut derivative = [0.0; 36];
+            interpolation.combine(turns * theta, &derivatives, &mut derivative);
             let mut image = [0.0; 36];
             for (row, to) in image.chunks_exact_mut(6).enumerate() {
                 for inner in 0..6 {
@@ -227,21 +233,6 @@ impl Section<'_> {
         }
         Ok(across / (self.periods as f64 * self.pair.parameters.mesh_period()))
     }
-}
-
-/// The derivative of the map at a point of the circle, from those at the nodes. Of a mirrored circle both halves have
-/// the same.
-fn interpolated(circle: &Circle, derivatives: &[f64], theta: f64) -> [f64; 36] {
-    let count = circle.count();
-    let turns = if circle.mirrored { 2.0 } else { 1.0 };
-    let mut sum = [0.0; 36];
-    for (node, matrix) in derivatives.chunks_exact(36).enumerate() {
-        let weight = cardinal(count, false, turns * (theta - circle.theta(node)));
-        for (sum, entry) in sum.iter_mut().zip(matrix) {
-            *sum += weight * entry;
-        }
-    }
-    sum
 }
 
 /// A circle with the map that it belongs to.
@@ -306,66 +297,15 @@ fn from_neighbours<'a>(
             continue;
         }
         return match seed::by_motion(&neighbour, tolerance, budget) {
-            Ok(known) => follow(p, known, p.omega),
+            Ok(known) => {
+                let (at, _) = branch::follow(p, known, None, p.omega);
+                Ok((at.omega() == p.omega).then_some(at))
+            }
             Err(StudyError::NotFound { .. }) => Ok(None),
             Err(error) => Err(error),
         };
     }
     Ok(None)
-}
-
-/// Follows a circle to another mesh frequency, in steps that are halved where the search fails.
-fn follow<'a>(p: &Parameters, from: Known<'a>, omega: f64) -> Result<Option<Known<'a>>, StudyError> {
-    let mut at = from;
-    let mut before: Option<(f64, Circle)> = None;
-    let whole = omega - at.section.pair.parameters.omega;
-    let mut step = 0.25 * whole;
-    loop {
-        let here = at.section.pair.parameters.omega;
-        if here == omega {
-            return Ok(Some(at));
-        }
-        let next = if (omega - here).abs() <= step.abs() * (1.0 + 1e-9) { omega } else { here + step };
-        match advance(p, &at, before.as_ref(), next) {
-            Ok(known) => {
-                before = Some((here, at.circle));
-                at = known;
-                step *= 1.5;
-            }
-            Err(StudyError::Numerics(NumericsError::TooManySteps { .. })) => return Ok(None),
-            Err(_) => {
-                step *= 0.5;
-                if step.abs() < whole.abs() / 100.0 {
-                    return Ok(None);
-                }
-            }
-        }
-    }
-}
-
-/// The circle at the next mesh frequency, straight on from the last two.
-fn advance<'a>(
-    p: &Parameters,
-    at: &Known<'a>,
-    before: Option<&(f64, Circle)>,
-    omega: f64,
-) -> Result<Known<'a>, StudyError> {
-    let here = at.section.pair.parameters.omega;
-    let mut guess = at.circle.clone();
-    if let Some((earlier, circle)) = before
-        && circle.mirrored == guess.mirrored
-    {
-        let ratio = (omega - here) / (here - earlier);
-        let circle =
-            if circle.count() == guess.count() { circle.clone() } else { circle.resampled(guess.count()) };
-        for (node, old) in guess.nodes.iter_mut().zip(&circle.nodes) {
-            *node += ratio * (*node - old);
-        }
-        guess.rotation += ratio * (guess.rotation - circle.rotation);
-    }
-    let section = Section { pair: GearPair::new(&at_frequency(p, omega)), ..at.section };
-    let (circle, defect) = section.converge(guess)?;
-    Ok(Known { section, circle, defect, averages: None })
 }
 
 /// Everything that is asked of a circle.
@@ -374,8 +314,11 @@ fn describe(known: &Known) -> Result<Torus, StudyError> {
     let growth = section.growth(circle)?;
     let (mut curve, mut radii) = (Vec::new(), Vec::with_capacity(SAMPLES * section.periods));
     let mut nodes = Vec::new();
+    let interpolation = Weights::new(circle.count(), circle.mirrored);
     for index in 0..SAMPLES {
-        let point = circle.point(index as f64 / SAMPLES as f64);
+        let mut point = [0.0; 6];
+        let theta = index as f64 / SAMPLES as f64;
+        interpolation.combine(theta, &circle.nodes, &mut point[..circle.dimension]);
         let state = section.expand(&point);
         radii.push(state[0].hypot(state[3]));
         if index % (SAMPLES / CURVE) == 0 {

@@ -299,19 +299,8 @@ fn stays_on_manifold(pair: &GearPair, options: &BasinOptions, orbit: &[f64; 6]) 
     let opposed = |state: &[f64; 6], near: f64| {
         (state[0] + state[1]).abs() <= near && (state[3] + state[4]).abs() <= near
     };
-    let both = |pair: [usize; 2]| pair.iter().all(|coordinate| options.plane.contains(coordinate));
-    let any = |pair: [usize; 2]| pair.iter().any(|coordinate| options.plane.contains(coordinate));
-    let mut rest = options.state;
-    if any([0, 1]) {
-        (rest[0], rest[1]) = (0.0, 0.0);
-    }
-    if any([3, 4]) {
-        (rest[3], rest[4]) = (0.0, 0.0);
-    }
     pair.parameters.symmetric().is_ok()
-        && !both([0, 1])
-        && !both([3, 4])
-        && opposed(&rest, 0.0)
+        && super::starts_on_manifold(options)
         && opposed(orbit, 1e-9 * size(orbit))
 }
 
@@ -322,7 +311,7 @@ pub(super) fn mirror_image(known: &Known, all: &[Known]) -> (i32, Vec<u8>) {
         AttractorKind::Torus => {
             let same = other.attractor.kind == image.kind
                 && image.points[POINTS - POINTS / 8..].iter().all(|state| other.is_near(state));
-            same.then(|| (index as i32, vec![0]))
+            same.then(|| (super::number(index), vec![0]))
         }
         AttractorKind::Orbit { period } => {
             if !is_same_orbit(&image, &other.attractor) {
@@ -334,7 +323,7 @@ pub(super) fn mirror_image(known: &Known, all: &[Known]) -> (i32, Vec<u8>) {
                 .points
                 .iter()
                 .position(|point| largest_difference(point, &image.state) < near)?;
-            Some((index as i32, (0..period).map(|phase| ((phase + shift) % period) as u8).collect()))
+            Some((super::number(index), (0..period).map(|phase| ((phase + shift) % period) as u8).collect()))
         }
     });
     found.unwrap_or((super::UNDECIDED, vec![0]))

@@ -13,7 +13,11 @@ const STAGES: [usize; 5] = [300, 900, 2700, 8100, 16_200];
 /// Points over which averages are taken.
 const POINTS: usize = 1024;
 /// Points over which the averages of the answer are taken, the circle being known.
-const AVERAGED: usize = 4096;
+const AVERAGED: usize = 1024;
+/// The same where the motion settles slowly, at most.
+const MOST_AVERAGED: usize = 8192;
+/// Difference of the mean radius over the two halves of these, at which it has settled.
+const SETTLED: f64 = 1e-7;
 /// Most circles that the map carries one into the next.
 const MOST_CIRCLES: usize = 4;
 /// The seed's defect, relative to its size, below which the collocation is tried.
@@ -160,7 +164,8 @@ fn circle<'a>(
             }
             match section.converge(seed) {
                 Ok((circle, defect)) => {
-                    return Ok(Some(Known { section, circle, defect, averages: None }));
+                    let known = Known { section, circle, defect, averages: None };
+                    return Ok(Some(single(known, common)?));
                 }
                 Err(error @ NumericsError::TooManySteps { .. }) => return Err(error.into()),
                 Err(_) => (),
@@ -168,6 +173,27 @@ fn circle<'a>(
         }
     }
     Ok(None)
+}
+
+/// The same circle as one of the map of the least period, if it is: a motion that still grows may have been fitted by
+/// every second of its points only.
+fn single(known: Known, common: usize) -> Result<Known, StudyError> {
+    let several = known.section.periods / common;
+    for whole in 0..several {
+        if several == 1 {
+            break;
+        }
+        let section = Section { periods: common, pair: known.section.pair, ..known.section };
+        let rotation = (known.circle.rotation + whole as f64) / several as f64;
+        let circle = Circle { rotation, ..known.circle.clone() };
+        let map: &mut Map = &mut |point, to, derivative| section.map(point, to, derivative);
+        if circle.defect(map, 4)? < 0.01 * circle.size()
+            && let Ok((circle, defect)) = section.converge(circle)
+        {
+            return Ok(Known { section, circle, defect, averages: None });
+        }
+    }
+    Ok(known)
 }
 
 /// The strongest frequency of a series, its mean taken off, in turns a sample.
@@ -218,16 +244,24 @@ fn measured<'a>(
     strobe: &mut Strobe,
     mut states: Vec<[f64; 6]>,
 ) -> Result<Known<'a>, StudyError> {
-    let settled = states.len() - POINTS;
-    while states.len() < settled + AVERAGED {
-        match strobe.next()? {
-            Some(state) => states.push(state),
-            None => return Ok(known),
+    let mut count = AVERAGED;
+    let (states, weights, radii) = loop {
+        while states.len() < count + POINTS {
+            match strobe.next()? {
+                Some(state) => states.push(state),
+                None => return Ok(known),
+            }
         }
-    }
-    let states = &states[states.len() - AVERAGED..];
-    let weights = birkhoff::weights(states.len());
-    let radii: Vec<f64> = states.iter().map(|state| state[0].hypot(state[3])).collect();
+        let last = &states[states.len() - count..];
+        let radii: Vec<f64> = last.iter().map(|state| state[0].hypot(state[3])).collect();
+        let mean = |part: &[f64]| birkhoff::mean(part, &birkhoff::weights(part.len()));
+        // As long as the two halves differ, the motion has not settled yet.
+        let (first, second) = radii.split_at(count / 2);
+        if (mean(first) - mean(second)).abs() < SETTLED || count >= MOST_AVERAGED {
+            break (last, birkhoff::weights(count), radii);
+        }
+        count *= 2;
+    };
     let series: Vec<f64> = states.iter().map(|state| state[0]).collect();
     let periods = known.section.periods as f64;
     // Lines of several circles that belong to the order in which they are visited, not to the motion on them.
