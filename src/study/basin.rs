@@ -12,7 +12,7 @@ use super::multipliers::{common_period, trivial_state};
 use super::time_response::largest_difference;
 use crate::error::StudyError;
 use crate::model::equations::GearPair;
-use crate::model::manifold::{LANES, OnManifold};
+use crate::model::lanes::{LANES, OnManifold};
 use crate::model::parameters::{Parameters, Regime};
 
 mod attractor;

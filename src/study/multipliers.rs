@@ -154,8 +154,12 @@ pub fn image(
     let end = periods as f64 * pair.parameters.mesh_period();
     let options = Options { tolerance: motion::step_tolerance(tolerance), step_factor, steps: budget.left() };
     let field = Variational { pair: *pair };
-    let mut propagation =
-        Propagation::<_, { variational::SIZE }, ORDER_20>::new(&field, 0.0, variational::start(state), options);
+    let mut propagation = Propagation::<_, { variational::SIZE }, ORDER_20>::new(
+        &field,
+        0.0,
+        variational::start(state),
+        options,
+    );
     let [pinion, gear] = pair.escape_bounds();
     while propagation.time() < end {
         propagation.advance(end)?;

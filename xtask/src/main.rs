@@ -22,6 +22,7 @@ cargo xtask test  [--quick]             all checks and tests; quick: no wasm lin
                   [--only WORD]         ... only the steps with this word in their name, such as Chromium or Node
 cargo xtask bench                       measure natively, in Node and in Chromium; writes docs/benchmarks.md
 cargo xtask goldens                     draw the figures anew into tests/goldens/
+cargo xtask accuracy                    every reference number beside ours, into docs/accuracy.md
 cargo xtask screens                     pictures of the page into docs/screens/";
 
 fn main() -> ExitCode {
@@ -58,6 +59,11 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
             command::Options::read(rest, &[], &[])?;
             let test = ["test", "--quiet", "--test", "goldens"];
             command::run(command::cargo(&test).env("GOLDENS", "renew"))
+        }
+        "accuracy" => {
+            command::Options::read(rest, &[], &[])?;
+            let test = ["test", "--quiet", "--test", "accuracy"];
+            command::run(command::cargo(&test).env("ACCURACY", "renew"))
         }
         "screens" => command::Options::read(rest, &[], &[]).and_then(|_| screens::screens()),
         "help" | "--help" | "-h" => {

@@ -2,7 +2,7 @@
 
 use super::{Carried, Cell};
 use crate::model::equations::{DIVERGED, GearPair};
-use crate::model::manifold::{LANES, OnManifold, SIZE, lane, set_lane};
+use crate::model::lanes::{LANES, OnManifold, SIZE, lane, set_lane};
 use crate::numerics::ode::taylor::{Options, Propagation};
 use crate::study::motion::{self, ORDER_16};
 
