@@ -28,7 +28,7 @@ pub fn bench(job: &JsValue, repetitions: &JsValue) -> Result<f64, JsValue> {
         Some(TRAP) => core::arch::wasm32::unreachable(),
         Some(job) => Ok(benchmark::run(job, repetitions).map_err(WebError::from)?),
         None => {
-            let allowed = Allowed::Text(benchmark::JOBS.join(", "));
+            let allowed = Allowed::Text(benchmark::JOBS.map(|job| job.name).join(", "));
             Err(WebError::option("job", values::given(job), allowed).into())
         }
     }
