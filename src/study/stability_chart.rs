@@ -5,12 +5,12 @@
 //! interpolated onto the chart, and factorised along k0, each point from its neighbour.
 
 use super::grid::Grid;
-use super::linear_floquet::{LinearFloquet, MOST_STEPS, factorise};
+use super::linear_floquet::{LinearFloquet, factorise};
 use super::motion;
 use super::multipliers::linear_monodromy;
 use crate::error::{NumericsError, StudyError};
 use crate::model::parameters::Parameters;
-use crate::numerics::characteristic::{Characteristic, Factors};
+use crate::numerics::characteristic::{self, Characteristic, Factors};
 use crate::numerics::periodic::matrix;
 use crate::numerics::{chebyshev, floquet};
 use std::f64::consts::PI;
@@ -33,11 +33,17 @@ pub struct StabilityChart {
 }
 
 /// Most steps of all integrations of a chart: some seconds.
-const MOST_CHART_STEPS: f64 = 4e6;
-/// Coefficients of the polynomial are wanted at least this well, relative to the greatest: near rounding.
-const FINEST: f64 = 2e-14;
+const MOST_CHART_STEPS: f64 = 1e6;
+/// Coefficients of the polynomial are wanted at least this well, relative to the greatest: near what the
+/// series of the integration leave out.
+const FINEST: f64 = 1e-13;
+/// The coefficients seen to be left out may be this many times what is wanted: they are the last of a steep decay, and
+/// what follows them is smaller still.
+const ENOUGH: f64 = 20.0;
 /// Points computed directly, for comparison.
-const SPOT_CHECKS: usize = 10;
+const SPOT_CHECKS: usize = 8;
+/// Terms in k0^2 at very short periods.
+const FEWEST: f64 = 6.0;
 /// Nodes beyond which interpolation is not tried.
 const MOST_NODES: usize = 400;
 
@@ -68,15 +74,16 @@ pub fn stability_chart(
     check_plane(omega, k0)?;
     motion::check_tolerance(tolerance)?;
     let linear = LinearFloquet::new(p);
-    let finest = (0.01 * tolerance * tolerance).clamp(FINEST, 1e-10);
+    let accuracy = (1e-4 * tolerance).max(characteristic::ROUNDING);
+    let finest = (0.1 * tolerance * tolerance).clamp(FINEST, 1e-10);
     let coefficients = Surface::fit(&linear, omega, k0, finest)?;
-    let mut chart = coefficients.factorised(&linear, omega, k0)?;
+    let mut chart = coefficients.factorised(&linear, omega, k0, accuracy)?;
     let seen = spot_checks(p, omega, k0, &chart.radius)?;
     let mut method = "Chebyshev interpolation of the characteristic polynomial, Taylor series of order 24 on half a period";
     if seen > tolerance.max(chart.error) {
         // What the decay promised does not hold: every point by itself.
         let direct = Surface::direct(&linear, omega, k0)?;
-        chart = direct.factorised(&linear, omega, k0)?;
+        chart = direct.factorised(&linear, omega, k0, accuracy)?;
         method = "characteristic polynomial at every point, Taylor series of order 24 on half a period";
     }
     Ok(StabilityChart {
@@ -148,23 +155,24 @@ impl Surface {
     /// As many nodes as the decay asks for in each direction, or the chart's own points where these are fewer.
     fn fit(linear: &LinearFloquet, omega: Grid, k0: Grid, finest: f64) -> Result<Self, StudyError> {
         let (long, short) = (2.0 * PI / omega.low, 2.0 * PI / omega.high);
-        let rows = terms_in_depth(linear, omega.low, k0, finest)?;
+        let mut rows = terms_in_depth(linear, omega.low, k0, finest)?;
         let turns: f64 = linear.frequencies().iter().sum::<f64>() * 0.5 * (long - short);
         // The coefficients turn as exp(i turns x): their Chebyshev coefficients are Bessel functions of `turns`.
-        let mut nodes = (turns + 6.5 * turns.cbrt() + 10.0 + 0.06 * k0.high * turns).ceil();
+        let mut nodes = (turns + 6.0 * turns.cbrt() + 8.0 + 0.06 * k0.high * turns).ceil();
         while nodes < omega.count.min(MOST_NODES) as f64 {
-            let fitted = Self::sample(linear, omega, k0, Some(nodes as usize), rows, finest)?;
-            if fitted.error <= finest * 8.0 {
+            let fitted = Self::sample(linear, omega, k0, Some(nodes as usize), rows)?;
+            if fitted.error <= ENOUGH * finest {
                 return Ok(fitted);
             }
-            nodes = (1.25 * nodes + 4.0).ceil();
+            nodes = (1.2 * nodes + 4.0).ceil();
+            rows = rows.map(|rows| rows + 2).filter(|rows| *rows < k0.count);
         }
-        Self::sample(linear, omega, k0, None, rows, finest)
+        Self::sample(linear, omega, k0, None, rows)
     }
 
     /// Every point by itself.
     fn direct(linear: &LinearFloquet, omega: Grid, k0: Grid) -> Result<Self, StudyError> {
-        Self::sample(linear, omega, k0, None, None, FINEST)
+        Self::sample(linear, omega, k0, None, None)
     }
 
     fn sample(
@@ -173,7 +181,6 @@ impl Surface {
         k0: Grid,
         nodes: Option<usize>,
         rows: Option<usize>,
-        finest: f64,
     ) -> Result<Self, StudyError> {
         let width = 2 * linear.modes() - 1;
         let (long, short) = (2.0 * PI / omega.low, 2.0 * PI / omega.high);
@@ -188,41 +195,28 @@ impl Surface {
         }
         let terms = width * per_row;
         let mut values = vec![0.0; frequencies.len() * terms];
-        let mut wanted = per_row;
         let mut samples = Vec::with_capacity(terms);
         let mut error = 0.0_f64;
-        // Chebyshev nodes in T fall, so that the first one needs the most terms in k0^2; the chart's own go either way.
+        let grid: Vec<f64> = (0..k0.count).map(|j| k0.value(j)).collect();
         for (at, row) in frequencies.iter().zip(values.chunks_exact_mut(terms)) {
-            loop {
-                samples.clear();
-                let count = if rows.is_some() { wanted } else { k0.count };
-                let depths: Vec<f64> = match rows {
-                    Some(_) => depths(k0, count),
-                    None => (0..k0.count).map(|j| k0.value(j)).collect(),
-                };
-                for depth in depths {
-                    inner_coefficients(linear, *at, depth, &mut samples)?;
+            samples.clear();
+            // Shorter periods ask for fewer terms in k0^2, about as their square root.
+            let count = rows.map_or(k0.count, |most| {
+                let part = (omega.low / at).sqrt();
+                (FEWEST + (most as f64 - FEWEST).max(0.0) * part).ceil().min(most as f64) as usize
+            });
+            let depths = if rows.is_some() { &depths(k0, count) } else { &grid };
+            for depth in depths {
+                inner_coefficients(linear, *at, *depth, &mut samples)?;
+            }
+            if rows.is_some() {
+                samples = chebyshev::coefficients(&samples, width);
+                error = error.max(chebyshev::tail(&samples, width) / largest(&samples).max(1.0));
+            }
+            for (term, numbers) in samples.chunks_exact(width).enumerate() {
+                for (coefficient, value) in numbers.iter().enumerate() {
+                    row[coefficient * per_row + term] = *value;
                 }
-                if rows.is_some() {
-                    samples = chebyshev::coefficients(&samples, width);
-                    let scale = largest(&samples).max(1.0);
-                    let tail = chebyshev::tail(&samples, width) / scale;
-                    if tail > finest && wanted < per_row {
-                        wanted += 1;
-                        continue;
-                    }
-                    error = error.max(tail);
-                    // One fewer next time, where the last two terms are far below what is wanted.
-                    if tail < 1e-2 * finest && wanted > 4 {
-                        wanted -= 1;
-                    }
-                }
-                for (term, numbers) in samples.chunks_exact(width).enumerate() {
-                    for (coefficient, value) in numbers.iter().enumerate() {
-                        row[coefficient * per_row + term] = *value;
-                    }
-                }
-                break;
             }
         }
         if let Some(count) = nodes {
@@ -254,10 +248,16 @@ impl Surface {
     }
 
     /// The radius at every point, each column of the chart from k0 = 0 upwards.
-    fn factorised(&self, linear: &LinearFloquet, omega: Grid, k0: Grid) -> Result<Factorised, StudyError> {
+    fn factorised(
+        &self,
+        linear: &LinearFloquet,
+        omega: Grid,
+        k0: Grid,
+        accuracy: f64,
+    ) -> Result<Factorised, StudyError> {
         let mut radius = vec![0.0; omega.count * k0.count];
         let at_rest = linear.at_rest()?;
-        let mut error = 0.0_f64;
+        let mut amplification = Amplification::default();
         let mut columns = vec![0.0; self.width * k0.count];
         for (i, values) in self.values.chunks_exact(self.width * self.terms).enumerate() {
             let at = omega.value(i);
@@ -266,20 +266,34 @@ impl Surface {
             let idle = linear.idle_radius(at);
             let mut coefficients = [0.0; 6];
             coefficients[self.width] = (-linear.damping_trace() * period).exp();
-            let mut from = Some(at_rest.propagated(period)).filter(finite);
+            // The last three rows' factors, the newest first, as far as they continue each other.
+            let mut rows = [at_rest.propagated(period); 3];
+            let mut continued = usize::from(finite(&rows[0]));
             for j in 0..k0.count {
                 for k in 0..self.width {
                     coefficients[k] = columns[k * k0.count + j];
                 }
                 let polynomial = Characteristic { degree: self.width + 1, coefficients };
-                let (factors, separation) = factorise(&polynomial, from)?;
+                let mut tried = None;
+                if continued > 0 {
+                    let mut guess =
+                        if continued > 3 { rows[0].extrapolated(&rows[1], &rows[2]) } else { rows[0] };
+                    tried = guess.refine(&polynomial, accuracy).map(|separation| (guess, separation));
+                }
+                continued += 1;
+                let (factors, separation) = if let Some(tried) = tried {
+                    tried
+                } else {
+                    continued = 1;
+                    factorise(&polynomial, None, accuracy)?
+                };
                 let here = factors.radius();
                 radius[j * omega.count + i] = here.max(idle);
-                error = error.max(amplified(&factors, separation, self.error, &coefficients));
-                from = Some(factors);
+                amplification.see(&factors, here, separation, &coefficients);
+                rows = [factors, rows[0], rows[1]];
             }
         }
-        Ok(Factorised { radius, error })
+        Ok(Factorised { radius, error: amplification.of(self.error).max(accuracy) })
     }
 
     /// The coefficients on the chart's own k0, one run of them for each coefficient.
@@ -348,20 +362,31 @@ fn terms_in_depth(
     }
 }
 
-/// How far an error of the coefficients can change the greatest root: divided by its distances from the others, or
-/// its square root where they meet.
-fn amplified(factors: &Factors, separation: Option<f64>, error: f64, coefficients: &[f64; 6]) -> f64 {
-    let top = factors.top();
-    let radius = factors.radius();
-    let scale = error * largest(coefficients).max(1.0);
-    let (p, q) = (factors.p[top], factors.q[top]);
-    // The change of p or q is that of the coefficients, up to radius^(n-1), over the other factors' value here.
-    let growth = radius.max(1.0).powi(2 * factors.count as i32 - 1);
-    let others = separation.map_or(0.0, |resultant| resultant.abs().sqrt());
-    let own = (p * p - 4.0 * q).abs().sqrt().min(1.0);
-    let error = scale * growth;
-    (error / (others * own)).min(error.sqrt())
+/// How far errors of the coefficients can change the greatest root: divided by its distances from the others, or the
+/// square root where they meet.
+#[derive(Default)]
+struct Amplification {
+    /// Greatest square of the factor.
+    square: f64,
+    /// Greatest size of the coefficients and of their powers in the polynomial.
+    size: f64,
 }
 
-/// Most steps that a single column may take.
-const _: () = assert!(MOST_STEPS as f64 <= MOST_CHART_STEPS);
+impl Amplification {
+    fn see(&mut self, factors: &Factors, radius: f64, separation: f64, coefficients: &[f64; 6]) {
+        let mut size = largest(coefficients).max(1.0);
+        // A change of the coefficients is multiplied by up to radius^(n-1).
+        for _ in 1..2 * factors.count {
+            size *= radius.max(1.0);
+        }
+        let top = factors.top();
+        let own = (factors.p[top] * factors.p[top] - 4.0 * factors.q[top]).abs().min(1.0);
+        self.square = self.square.max(size * size / (separation.abs() * own));
+        self.size = self.size.max(size);
+    }
+
+    /// The greatest change of a root for this error of the coefficients, relative to the greatest of each polynomial.
+    fn of(&self, error: f64) -> f64 {
+        (error * self.square.sqrt()).min((error * self.size).sqrt())
+    }
+}
