@@ -249,7 +249,6 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
                 return Ok(self.from_half(&half));
             }
             steps = (MORE * steps).ceil().max(steps + 1.0);
-            DOUBLED.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
         }
     }
 
@@ -274,5 +273,3 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
         }
     }
 }
-/// tmp
-pub static DOUBLED: std::sync::atomic::AtomicUsize = std::sync::atomic::AtomicUsize::new(0);

@@ -26,7 +26,7 @@ enum Coupled {
 
 /// Steps that all characteristic polynomials of one question may take: some seconds, a hundred times what ordinary
 /// parameters need.
-pub const BUDGET: f64 = 3e6;
+pub const BUDGET: f64 = 1e6;
 
 /// The linear problem with its idle mode apart, and what is left of its [`BUDGET`].
 #[derive(Clone, Debug, PartialEq)]

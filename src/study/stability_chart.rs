@@ -33,7 +33,7 @@ pub struct StabilityChart {
 }
 
 /// Most steps of all integrations of a chart: some seconds.
-const MOST_CHART_STEPS: f64 = 1e6;
+const MOST_CHART_STEPS: f64 = 8e5;
 /// Coefficients of the polynomial are wanted at least this well, relative to the greatest: near what the
 /// series of the integration leave out.
 const FINEST: f64 = 1e-13;
@@ -293,7 +293,7 @@ impl Surface {
                 rows = [factors, rows[0], rows[1]];
             }
         }
-        Ok(Factorised { radius, error: amplification.of(self.error).max(accuracy) })
+        Ok(Factorised { radius, error: amplification.of(self.error).max(10.0 * accuracy) })
     }
 
     /// The coefficients on the chart's own k0, one run of them for each coefficient.
