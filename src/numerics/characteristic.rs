@@ -105,6 +105,8 @@ pub struct Factors {
 
 /// Newton's iterations granted; where they do not suffice the roots are found anew.
 const ITERATIONS: usize = 12;
+/// By how much less than the square root of the accuracy the last change must be.
+const CAUTION: f64 = 0.1;
 /// Error of the factors, relative to 1 + their size, that is rounding.
 pub const ROUNDING: f64 = 1e-15;
 
@@ -206,7 +208,7 @@ impl Factors {
                 return None;
             }
             let nearest = resultants.iter().fold(1.0_f64, |least, value| least.min(value.abs()));
-            if change * change <= accuracy * nearest {
+            if change * change <= CAUTION * accuracy * nearest * nearest {
                 self.p[..N].copy_from_slice(&p);
                 self.q[..N].copy_from_slice(&q);
                 let top = self.top();

@@ -79,6 +79,12 @@ impl LinearFloquet {
         Self { refinement: 2.0 * self.refinement, ..self.clone() }
     }
 
+    /// About the error of the coefficients of a characteristic polynomial, relative to the greatest: measured against
+    /// steps four times as many.
+    pub fn truncation(&self) -> f64 {
+        if self.refinement > 1.0 { 1e-14 } else { 3e-13 }
+    }
+
     /// Degrees of freedom that the pulsation acts on: two or three.
     pub fn modes(&self) -> usize {
         match self.coupled {

@@ -40,6 +40,8 @@ const FINEST: f64 = 1e-13;
 /// The coefficients seen to be left out may be this many times what is wanted: they are the last of a steep decay, and
 /// what follows them is smaller still.
 const ENOUGH: f64 = 20.0;
+/// The same, where the integration is refined and multipliers meet.
+const ROUNDING: f64 = 2e-15;
 /// Points computed directly, for comparison.
 const SPOT_CHECKS: usize = 8;
 /// Terms in k0^2 at very short periods.
@@ -76,8 +78,17 @@ pub fn stability_chart(
     let linear = LinearFloquet::new(p);
     let accuracy = (1e-4 * tolerance).max(characteristic::ROUNDING);
     let finest = (0.1 * tolerance * tolerance).clamp(FINEST, 1e-10);
-    let coefficients = Surface::fit(&linear, omega, k0, finest)?;
-    let mut chart = coefficients.factorised(&linear, omega, k0, accuracy)?;
+    let mut chart = Surface::fit(&linear, omega, k0, finest)?.factorised(&linear, omega, k0, accuracy)?;
+    if chart.error > tolerance {
+        // Multipliers meet somewhere: what can be had from double precision.
+        let refined = linear.refined();
+        chart = Surface::fit(&refined, omega, k0, ROUNDING)?.factorised(
+            &refined,
+            omega,
+            k0,
+            characteristic::ROUNDING,
+        )?;
+    }
     let seen = spot_checks(p, omega, k0, &chart.radius)?;
     let mut method = "Chebyshev interpolation of the characteristic polynomial, Taylor series of order 24 on half a period";
     if seen > tolerance.max(chart.error) {
@@ -244,7 +255,7 @@ impl Surface {
             }
             basis
         });
-        Ok(Self { width, terms: per_row, values, basis, error: error.max(FINEST) })
+        Ok(Self { width, terms: per_row, values, basis, error: error.max(linear.truncation()) })
     }
 
     /// The radius at every point, each column of the chart from k0 = 0 upwards.
