@@ -7,7 +7,8 @@ use gear_bifurcations::model::parameters::{Parameters, Regime};
 use gear_bifurcations::study::chart_work::ChartWork;
 use gear_bifurcations::study::grid::Grid;
 use gear_bifurcations::study::multipliers::multipliers;
-use gear_bifurcations::study::stability_chart::{StabilityChart, stability_chart};
+use gear_bifurcations::study::stability_chart::{StabilityChart, stability_chart, tongues_in};
+use gear_bifurcations::study::tongue::{Tongue, tongue_edges};
 
 fn grid(low: f64, high: f64, count: usize) -> Grid {
     Grid { low, high, count }
@@ -46,8 +47,10 @@ fn charts_agree_with_direct_multipliers_within_the_error_they_state() {
             [(grid(0.4, 7.0, 200), grid(0.0, 1.0, 100)), (grid(0.3, 9.0, 11), grid(0.1, 0.9, 5))]
         {
             let chart = stability_chart(&p, omega, k0, 1e-6).expect("computes");
-            assert!(chart.error < 1e-6, "{}", chart.error);
+            // A bound: where multipliers meet it is the square root of rounding times the greatest growth.
+            assert!(chart.error < 1e-5, "{}", chart.error);
             let seen = worst(&p, &chart, &mut generator, 60);
+            assert!(seen < 1e-6, "{seen:e} {p:?}");
             assert!(seen <= chart.error, "{seen:e} {:e} {p:?}", chart.error);
         }
     }
@@ -111,5 +114,19 @@ fn a_chart_about_a_loaded_response_agrees_with_its_multipliers() {
                 assert!(own == whole || (own - whole).abs() < 1e-5, "{own} {whole}");
             }
         }
+    }
+}
+
+#[test]
+fn the_chart_shows_the_tongues_and_each_has_edges() {
+    let p = numbers(&[("zeta", 0.005), ("k0", 0.5)]);
+    let chart = stability_chart(&p, grid(1.2, 6.0, 600), grid(0.0, 0.5, 101), 1e-6).expect("computes");
+    let seen = tongues_in(&chart);
+    for middle in [1.575, 1.765, 1.856, 2.68, 3.52, 5.41] {
+        let of_it = seen.iter().find(|tongue| (tongue.omega - middle).abs() < 0.1 && tongue.k0 > 0.4);
+        let tongue = of_it.unwrap_or_else(|| panic!("{middle}: {seen:?}"));
+        let here = Parameters { k0: tongue.k0, ..p };
+        let edges = tongue_edges(&here, Tongue::Near(tongue.omega), 1e-10).expect("found");
+        assert!(edges.left.expect("open") < tongue.omega && tongue.omega < edges.right.expect("open"));
     }
 }

@@ -204,7 +204,7 @@ impl Factors {
                 q[i] = q_i + epsilon;
                 change = change.max((delta.abs() + epsilon.abs()) / (1.0 + p_i.abs() + q_i.abs()));
             }
-            if !(change < 1e3) {
+            if change.is_nan() || change > 1e3 {
                 return None;
             }
             let nearest = resultants.iter().fold(1.0_f64, |least, value| least.min(value.abs()));

@@ -181,7 +181,7 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
     }
 
     /// M = S^-1 P^T S P from P = Phi(T/2).
-    fn from_half(&self, half: &[[f64; L]; L]) -> [[f64; L]; L] {
+    fn whole_from_half(&self, half: &[[f64; L]; L]) -> [[f64; L]; L] {
         let damped = |rows: [&[f64; L]; N]| -> [[f64; L]; N] {
             let mut common = [0.0; L];
             for i in 0..N {
@@ -238,7 +238,7 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
     ) -> Result<[[f64; L]; L], NumericsError> {
         let mut steps = (self.steps(depth, omega) * refinement).ceil();
         loop {
-            if !(steps <= most as f64) {
+            if steps.is_nan() || steps > most as f64 {
                 return Err(NumericsError::TooManySteps { time: 0.0, steps: most });
             }
             let (half, last) = self.half(depth, omega, steps as usize);
@@ -246,7 +246,7 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
                 return Err(NumericsError::NotFinite { time: PI / omega });
             }
             if last <= LAST_TERMS {
-                return Ok(self.from_half(&half));
+                return Ok(self.whole_from_half(&half));
             }
             steps = (MORE * steps).ceil().max(steps + 1.0);
         }

@@ -119,7 +119,7 @@ impl LinearFloquet {
     pub fn characteristic(&self, omega: f64, k0: f64) -> Result<Characteristic, NumericsError> {
         // A polynomial costs about as much as one more step.
         let left = self.left.get() - self.steps(omega, k0) - 1.0;
-        if !(left > 0.0) {
+        if left.is_nan() || left <= 0.0 {
             return Err(NumericsError::TooManySteps { time: 0.0, steps: BUDGET as usize });
         }
         self.left.set(left);

@@ -123,7 +123,7 @@ fn spot_checks(p: &Parameters, omega: Grid, k0: Grid, radius: &[f64]) -> Result<
 
 /// The spectral radius from the whole monodromy matrix by other code than the chart's.
 fn direct_radius(p: &Parameters, omega: f64, k0: f64) -> Result<f64, NumericsError> {
-    let here = Parameters { omega, k0, ..*p };
+    let here = Parameters { k0, omega, ..*p };
     Ok(floquet::spectrum(&matrix(&linear_monodromy(&here, 1e-14, 1.0)?))?.radius())
 }
 
@@ -201,7 +201,7 @@ impl Surface {
         };
         let per_row = rows.unwrap_or(k0.count);
         let work: f64 = frequencies.iter().map(|at| linear.steps(*at, k0.high)).sum::<f64>() * per_row as f64;
-        if !(work <= MOST_CHART_STEPS) {
+        if work.is_nan() || work > MOST_CHART_STEPS {
             return Err(too_much_work(work));
         }
         let terms = width * per_row;
@@ -354,7 +354,7 @@ fn terms_in_depth(
             return Ok(None);
         }
         let work = linear.steps(omega, k0.high) * count as f64;
-        if !(work <= MOST_CHART_STEPS) {
+        if work.is_nan() || work > MOST_CHART_STEPS {
             return Err(too_much_work(work));
         }
         let mut samples = Vec::with_capacity(width * count);
@@ -400,4 +400,65 @@ impl Amplification {
     fn of(&self, error: f64) -> f64 {
         (error * self.square.sqrt()).min((error * self.size).sqrt())
     }
+}
+
+/// A tongue seen on a chart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeenTongue {
+    /// A mesh frequency well inside it at `k0`: a start for [`Tongue::Near`](super::tongue::Tongue::Near).
+    pub omega: f64,
+    /// The depth at which it is that frequency.
+    pub k0: f64,
+    /// The least depth at which the chart shows it.
+    pub lowest: f64,
+}
+
+/// How far beyond 1, and beyond the chart's own error, a radius counts as unstable here.
+const SEEN: f64 = 1e-5;
+
+/// The tongues that a chart shows: unstable intervals of a row above none in the row below, each followed upwards to the
+/// last row in which it is an interval of its own.
+///
+/// Tongues narrower than the chart's columns may be missed, and one that starts narrower than them may be seen late.
+pub fn tongues_in(chart: &StabilityChart) -> Vec<SeenTongue> {
+    let (columns, rows) = (chart.omega.count, chart.k0.count);
+    let limit = 1.0 + SEEN.max(2.0 * chart.error);
+    let mut seen: Vec<SeenTongue> = Vec::new();
+    // Intervals of the row below: first and last column, and the tongue it belongs to.
+    let mut below: Vec<(usize, usize, usize)> = Vec::new();
+    for j in 0..rows {
+        let row = &chart.spectral_radius[j * columns..(j + 1) * columns];
+        let unstable = |i: usize| row[i].is_finite() && row[i] > limit;
+        let mut intervals = Vec::new();
+        let mut i = 0;
+        while i < columns {
+            if !unstable(i) {
+                i += 1;
+                continue;
+            }
+            let first = i;
+            while i < columns && unstable(i) {
+                i += 1;
+            }
+            let last = i - 1;
+            // Neighbouring columns count: a narrow tongue leans to one side from row to row.
+            let mut parents = below
+                .iter()
+                .filter(|(start, end, _)| *start <= last + 1 && first <= end + 1)
+                .map(|own| own.2);
+            let (parent, second) = (parents.next(), parents.next());
+            let tongue = parent.unwrap_or_else(|| {
+                let k0 = chart.k0.value(j);
+                seen.push(SeenTongue { omega: chart.omega.value(first), k0, lowest: k0 });
+                seen.len() - 1
+            });
+            if second.is_none() {
+                let deepest = (first..=last).fold(first, |best, i| if row[i] > row[best] { i } else { best });
+                (seen[tongue].omega, seen[tongue].k0) = (chart.omega.value(deepest), chart.k0.value(j));
+            }
+            intervals.push((first, last, tongue));
+        }
+        below = intervals;
+    }
+    seen
 }

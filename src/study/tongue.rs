@@ -341,7 +341,7 @@ mod near {
         k0: f64,
         tolerance: f64,
     ) -> Result<Option<[Edge; 2]>, StudyError> {
-        if !(omega >= 0.01 && omega <= 100.0) {
+        if !(0.01..=100.0).contains(&omega) {
             return Err(StudyError::Option {
                 option: "tongue",
                 given: omega.to_string(),

@@ -115,6 +115,7 @@ pub fn tongue_boundary(
 }
 
 /// The boundary by pseudo-arclength.
+#[expect(clippy::too_many_arguments, reason = "the question and its answer, passed on")]
 fn along_arc(
     linear: &LinearFloquet,
     tongue: Tongue,
@@ -450,6 +451,7 @@ fn tip(linear: &LinearFloquet, plane: Plane, leg: &Leg, tolerance: f64) -> Resul
     Ok(centre)
 }
 
+#[expect(clippy::too_many_arguments, reason = "the question and its answer, passed on")]
 /// Points along two legs that end at the depth `low`, or meet at `k0 = 0`.
 fn two_legs(
     linear: &LinearFloquet,
