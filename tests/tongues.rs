@@ -4,7 +4,9 @@ mod common;
 
 use common::{numbers, reference};
 use gear_bifurcations::model::parameters::Parameters;
+use gear_bifurcations::study::multipliers::multipliers;
 use gear_bifurcations::study::tongue::{Tongue, tongue_edges};
+use gear_bifurcations::study::tongue_boundary::tongue_boundary;
 
 fn damped(k0: f64, zeta: f64) -> Parameters {
     numbers(&[("m", 1.0), ("k", 5.0), ("k0", k0), ("zeta", zeta)])
@@ -41,17 +43,12 @@ fn edges_agree_to_1e_9_and_closed_tongues_are_closed() {
                 continue;
             };
             let (own_left, own_right) = (found.left.expect("open"), found.right.expect("open"));
-            println!("{key} {name} {:e} {:e} {:?}", own_left - left, own_right - right, found.error);
             worst = worst.max((own_left - left).abs()).max((own_right - right).abs());
             let kind = reference_kind(expected["type"].as_str().expect("a word"));
             assert_eq!(found.kind.expect("open").map(|kind| kind.name()), [kind, kind], "{key} {name}");
             let near = tongue_edges(&p, Tongue::Near(0.5 * (left + right)), 1e-10).expect("found");
-            println!(
-                "   near {:e} {:e} {:?}",
-                near.left.unwrap() - left,
-                near.right.unwrap() - right,
-                near.kind
-            );
+            let near = (near.left.expect("open") - left).abs().max((near.right.expect("open") - right).abs());
+            worst = worst.max(near);
         }
     }
     assert!(worst < 1e-9, "{worst:e}");
@@ -67,12 +64,121 @@ fn other_tongues_are_found_near_a_frequency() {
         for part in [0.5, 0.1] {
             let near = edge(0) + part * (edge(1) - edge(0));
             let found = tongue_edges(&p, Tongue::Near(near), 1e-10).expect("found");
-            println!(
-                "{:e} {:e} {:?}",
-                found.left.unwrap() - edge(0),
-                found.right.unwrap() - edge(1),
-                found.kind
-            );
+            let off =
+                (found.left.expect("open") - edge(0)).abs().max((found.right.expect("open") - edge(1)).abs());
+            assert!(off < 1e-9, "{found:?}");
+            let kinds = [0, 1].map(|index| reference_kind(pair[index]["type"].as_str().expect("a word")));
+            assert_eq!(found.kind.expect("open").map(|kind| kind.name()), kinds);
+        }
+    }
+}
+
+/// Least distance of a multiplier's modulus from 1: on an edge that lies in another tongue not the greatest one is there.
+fn from_circle(p: &Parameters, omega: f64, k0: f64) -> f64 {
+    let here = Parameters { omega, k0, ..*p };
+    let found = multipliers(&here, 1e-13).expect("computes");
+    found.re.iter().zip(&found.im).map(|(re, im)| (re.hypot(*im) - 1.0).abs()).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn boundaries_lie_on_the_unit_circle_and_their_tips_are_the_thresholds() {
+    let file = reference("tongue_edges");
+    for (key, tongue) in
+        [("2w2", Tongue::Primary2), ("w2+w3", Tongue::Combination), ("2w3", Tongue::Primary3)]
+    {
+        let p = damped(0.5, 0.02);
+        let boundary = tongue_boundary(&p, tongue, [0.0, 0.5], 91, 1e-10).expect("followed");
+        assert_eq!(boundary.omega.len(), 91);
+        let tip = boundary.tip.expect("closed by damping");
+        let expected = &file["tips"][format!("zeta=0.02 {key}")];
+        assert!((tip[1] - expected["k0_min"].as_f64().expect("a number")).abs() < 1e-9, "{key} {tip:?}");
+        // The reference found it as a minimum, which says where only to the square root of its digits.
+        assert!((tip[0] - expected["W"].as_f64().expect("a number")).abs() < 2e-7, "{key} {tip:?}");
+        assert_eq!((boundary.omega[boundary.left - 1], boundary.k0[boundary.left - 1]), (tip[0], tip[1]));
+        let edges = tongue_edges(&p, tongue, 1e-10).expect("found");
+        assert!((boundary.omega[0] - edges.left.expect("open")).abs() < 1e-9);
+        assert!((boundary.omega[90] - edges.right.expect("open")).abs() < 1e-9);
+        for (omega, k0) in boundary.omega.iter().zip(&boundary.k0) {
+            assert!(from_circle(&p, *omega, *k0) < 1e-9, "{key} {omega} {k0}");
+            assert!(*k0 >= tip[1]);
+        }
+    }
+}
+
+#[test]
+fn the_tip_is_where_the_edges_meet() {
+    let p = damped(0.5, 0.02);
+    let tip =
+        tongue_boundary(&p, Tongue::Primary2, [0.0, 0.5], 41, 1e-12).expect("followed").tip.expect("a tip");
+    let above = Parameters { k0: tip[1] + 1e-8, ..p };
+    let edges = tongue_edges(&above, Tongue::Primary2, 1e-12).expect("found");
+    let middle = 0.5 * (edges.left.expect("open") + edges.right.expect("open"));
+    assert!((middle - tip[0]).abs() < 1e-8, "{middle} {tip:?}");
+    let below = Parameters { k0: tip[1] - 1e-9, ..p };
+    assert_eq!(tongue_edges(&below, Tongue::Primary2, 1e-12).expect("found").kind, None);
+}
+
+#[test]
+fn undamped_boundaries_start_at_k0_zero_and_cut_ones_have_two_legs() {
+    let p = damped(0.5, 0.0);
+    let boundary = tongue_boundary(&p, Tongue::Combination, [0.0, 0.5], 40, 1e-9).expect("followed");
+    let tip = boundary.tip.expect("at k0 = 0");
+    assert_eq!(tip[1], 0.0);
+    assert!((tip[0] - 3.531_591_136).abs() < 1e-8, "{tip:?}");
+    assert!(boundary.kind.iter().all(|kind| kind.name() == "krein"));
+    let cut = tongue_boundary(&p, Tongue::Primary3, [0.2, 0.5], 40, 1e-9).expect("followed");
+    assert_eq!((cut.tip, cut.left, cut.omega.len()), (None, 20, 40));
+    assert!((cut.omega[19] - 5.315_707_746_115_634).abs() < 1e-9, "{cut:?}");
+    assert!((cut.omega[20] - 5.504_569_317_838_794).abs() < 1e-9, "{cut:?}");
+    let closed =
+        tongue_boundary(&damped(0.5, 0.02), Tongue::Primary3, [0.0, 0.2], 40, 1e-9).expect("computes");
+    assert!(closed.omega.is_empty() && closed.tip.is_none());
+}
+
+#[test]
+fn unequal_supports_have_edges_on_the_unit_circle() {
+    let p = numbers(&[
+        ("m_p", 1.3),
+        ("m_g", 0.7),
+        ("k_p", 4.0),
+        ("k_g", 6.5),
+        ("zeta", 0.02),
+        ("zeta_p", 0.01),
+        ("k0", 0.6),
+    ]);
+    for tongue in [Tongue::Primary2, Tongue::Combination, Tongue::Primary3] {
+        let edges = tongue_edges(&p, tongue, 1e-10).expect("found");
+        for omega in [edges.left.expect("open"), edges.right.expect("open")] {
+            assert!(from_circle(&p, omega, p.k0) < 1e-10, "{tongue:?} {edges:?}");
+        }
+        let boundary = tongue_boundary(&p, tongue, [0.0, 0.6], 31, 1e-10).expect("followed");
+        for (omega, k0) in boundary.omega.iter().zip(&boundary.k0) {
+            assert!(from_circle(&p, *omega, *k0) < 1e-9, "{tongue:?} {omega} {k0}");
+        }
+    }
+}
+
+#[test]
+fn nearly_immovable_supports_give_the_edges_of_mathieus_equation() {
+    // x'' + (a - 2 q cos 2s) x = 0 with Omega t = 2 s: a = 4/Omega^2, q = 2 k0/Omega^2 up to a phase.
+    for row in reference("published_and_classical")["mathieu"]["values"].as_array().expect("rows") {
+        let number = |name: &str| row[name].as_f64().expect("a number");
+        for name in ["b1", "a1", "b2", "a2"] {
+            let (a, q) = (number(name), number("q"));
+            let (omega, k0) = ((4.0 / a).sqrt(), 2.0 * q / a);
+            if !(a > 0.0 && k0 <= 1.0) {
+                continue;
+            }
+            let p = Parameters { m_p: 1e8, m_g: 1e8, k_p: 2e8, k_g: 2e8, k0, ..damped(0.5, 0.0) };
+            let side = if name.starts_with('b') { 1.0 } else { -1.0 };
+            // b_n is the right edge of the tongue, a_n the left one of the same.
+            let other = number(&format!("{}{}", if side > 0.0 { "a" } else { "b" }, &name[1..]));
+            let width = (omega - (4.0 / other).sqrt()).abs();
+            let found = tongue_edges(&p, Tongue::Near(omega - side * 0.2 * width), 1e-10).expect("found");
+            let edge = if side > 0.0 { found.right } else { found.left }.expect("open");
+            assert!((edge - omega).abs() < 1e-7, "{name} {q}: {edge} {omega}");
+            let kind = if name.ends_with('1') { "period-doubling" } else { "plus-one" };
+            assert!(found.kind.expect("open").iter().all(|found| found.name() == kind), "{found:?}");
         }
     }
 }

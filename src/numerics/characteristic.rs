@@ -103,19 +103,12 @@ pub struct Factors {
     pub q: [f64; 3],
 }
 
-/// What a refinement of [`Factors`] came to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Refined {
-    /// Iterations done.
-    pub iterations: usize,
-    /// Resultant of the quadratic with the greatest root and the product of the others: small where roots meet.
-    pub separation: f64,
-}
-
 /// Newton's iterations granted; where they do not suffice the roots are found anew.
 const ITERATIONS: usize = 12;
-/// Change of the factors, relative to 1 + their size, below which the next one is below rounding.
-const SETTLED: f64 = 1e-8;
+/// By how much less than the square root of the accuracy the last change must be.
+const CAUTION: f64 = 0.1;
+/// Error of the factors, relative to 1 + their size, that is rounding.
+pub const ROUNDING: f64 = 1e-15;
 
 impl Factors {
     /// The factors with the roots exp(lambda T) where the lambda are the roots of these.
@@ -163,22 +156,24 @@ impl Factors {
         Ok(factors)
     }
 
-    /// Newton's method for the factors of `of`, started from these; `None` where it does not settle, and these are
-    /// then of no use.
+    /// Newton's method for the factors of `of`, started from these, until the error left is about `accuracy`: the square of
+    /// the last change over the factors' distance. Answers the resultant of the quadratic with the greatest root and the
+    /// product of the others, which is small where roots meet; `None` where it does not settle, and these are then of
+    /// no use.
     ///
     /// Each correction is the remainder of the polynomial by a factor, divided by the product of the others modulo
     /// that factor: Newton's method for the coefficients of the product (the form of Durand and Kerner's iteration for
     /// quadratic factors).
-    pub fn refine(&mut self, of: &Characteristic) -> Option<Refined> {
-        if self.count == 2 { self.refine_by::<2>(of) } else { self.refine_by::<3>(of) }
+    pub fn refine(&mut self, of: &Characteristic, accuracy: f64) -> Option<f64> {
+        if self.count == 2 { self.refine_by::<2>(of, accuracy) } else { self.refine_by::<3>(of, accuracy) }
     }
 
-    fn refine_by<const N: usize>(&mut self, of: &Characteristic) -> Option<Refined> {
+    fn refine_by<const N: usize>(&mut self, of: &Characteristic, accuracy: f64) -> Option<f64> {
         let c = &of.coefficients;
         let mut p: [f64; N] = std::array::from_fn(|i| self.p[i]);
         let mut q: [f64; N] = std::array::from_fn(|i| self.q[i]);
         let mut resultants = [0.0; N];
-        for iteration in 1..=ITERATIONS {
+        for _ in 0..ITERATIONS {
             let mut change = 0.0_f64;
             let (p_before, q_before) = (p, q);
             for i in 0..N {
@@ -209,33 +204,45 @@ impl Factors {
                 q[i] = q_i + epsilon;
                 change = change.max((delta.abs() + epsilon.abs()) / (1.0 + p_i.abs() + q_i.abs()));
             }
-            if !(change < 1e3) {
+            if change.is_nan() || change > 1e3 {
                 return None;
             }
-            if change < SETTLED {
+            let nearest = resultants.iter().fold(1.0_f64, |least, value| least.min(value.abs()));
+            if change * change <= CAUTION * accuracy * nearest * nearest {
                 self.p[..N].copy_from_slice(&p);
                 self.q[..N].copy_from_slice(&q);
                 let top = self.top();
-                return Some(Refined { iterations: iteration, separation: resultants[top] });
+                return Some(resultants[top]);
             }
         }
         None
     }
 
-    /// Modulus of the greatest root of one quadratic.
-    fn radius_of(&self, index: usize) -> f64 {
+    /// Square of the modulus of the greatest root of one quadratic.
+    fn square_of(&self, index: usize) -> f64 {
         let (half, q) = (0.5 * self.p[index], self.q[index]);
         let square = half * half - q;
-        if square < 0.0 { q.sqrt() } else { half.abs() + square.sqrt() }
+        if square < 0.0 { q } else { (half.abs() + square.sqrt()).powi(2) }
     }
 
     /// Index of the quadratic that has the greatest root.
     pub fn top(&self) -> usize {
-        (1..self.count).fold(0, |best, i| if self.radius_of(i) > self.radius_of(best) { i } else { best })
+        (1..self.count).fold(0, |best, i| if self.square_of(i) > self.square_of(best) { i } else { best })
     }
 
     /// Modulus of the greatest root.
     pub fn radius(&self) -> f64 {
-        self.radius_of(self.top())
+        (0..self.count).fold(0.0_f64, |most, i| most.max(self.square_of(i))).sqrt()
+    }
+
+    /// Where three neighbours in even steps, the nearest first, lead to.
+    #[must_use]
+    pub fn extrapolated(&self, second: &Self, third: &Self) -> Self {
+        let mut next = *self;
+        for i in 0..self.count {
+            next.p[i] = 3.0 * (self.p[i] - second.p[i]) + third.p[i];
+            next.q[i] = 3.0 * (self.q[i] - second.q[i]) + third.q[i];
+        }
+        next
     }
 }

@@ -26,6 +26,13 @@ pub fn fixed_point(
     })
 }
 
+/// Newton's correction of a state towards a fixed point, to be taken off it; none where the derivative of the map has a
+/// multiplier of one.
+pub fn correction(state: &[f64; 6], (image, derivative): &Image) -> Option<[f64; 6]> {
+    let residual = SVector::<f64, 6>::from(*image) - SVector::<f64, 6>::from(*state);
+    (matrix(derivative) - SMatrix::<f64, 6, 6>::identity()).lu().solve(&residual).map(Into::into)
+}
+
 /// A matrix from its rows.
 pub fn matrix(rows: &[[f64; 6]; 6]) -> SMatrix<f64, 6, 6> {
     SMatrix::from_fn(|row, column| rows[row][column])

@@ -10,12 +10,11 @@ use super::motion;
 use super::multipliers::{Budget, common_period, image, unloaded};
 use super::orbit::{self, OrbitOptions};
 use super::stability_chart::{StabilityChart, check_plane, stability_chart};
-use crate::error::{NumericsError, StudyError};
+use crate::error::StudyError;
 use crate::model::equations::GearPair;
 use crate::model::parameters::{Parameters, Regime};
 use crate::numerics::floquet::{self, Spectrum};
-use crate::numerics::periodic::matrix;
-use nalgebra::{SMatrix, SVector};
+use crate::numerics::periodic::{correction, matrix};
 
 /// A stability chart under way.
 #[derive(Clone, Debug)]
@@ -207,27 +206,24 @@ impl ChartWork {
         // The derivative changes with the state about as much as the state does.
         let close = 0.1 * self.tolerance;
         let tolerance = (0.01 * self.tolerance).clamp(1e-13, 1e-7);
-        let mut state = SVector::<f64, 6>::from(guess);
+        let mut state = guess;
         let mut before = f64::INFINITY;
+        let largest = |six: &[f64; 6]| six.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         for _ in 0..ITERATIONS {
-            let (end, derivative) = match image(&pair, &state.into(), self.period, tolerance, 1.0, budget) {
-                Ok(image) => image,
-                Err(NumericsError::Singular) => return Ok(None),
-                Err(_) => return Ok(None),
-            };
-            let monodromy = matrix(&derivative);
-            let residual = SVector::<f64, 6>::from(end) - state;
-            let Some(step) = (monodromy - SMatrix::<f64, 6, 6>::identity()).lu().solve(&residual) else {
+            let Ok(there) = image(&pair, &state, self.period, tolerance, 1.0, budget) else {
                 return Ok(None);
             };
-            let size = step.amax();
-            if !(size < before.max(1.0) * 0.7 || size <= close) {
+            let Some(step) = correction(&state, &there) else { return Ok(None) };
+            let size = largest(&step);
+            if size.is_nan() || size > close && size >= 0.7 * before.max(1.0) {
                 return Ok(None);
             }
-            state -= step;
-            if size <= close * (1.0 + state.amax()) {
+            for (value, step) in state.iter_mut().zip(step) {
+                *value -= step;
+            }
+            if size <= close * (1.0 + largest(&state)) {
                 self.error = self.error.max(size);
-                return Ok(Some((state.into(), floquet::spectrum(&monodromy)?.radius())));
+                return Ok(Some((state, floquet::spectrum(&matrix(&there.1))?.radius())));
             }
             before = size;
         }
@@ -264,12 +260,12 @@ impl ChartWork {
         let mut nearest = None;
         for distance in [self.stride, 2 * self.stride] {
             for along_omega in [true, false] {
-                let near = |offset: i64| {
-                    let moved = |from: usize, by: i64| usize::try_from(from as i64 + by).ok();
+                let near = |offset: isize| {
+                    let moved = |from: usize, by: isize| from.checked_add_signed(by);
                     if along_omega {
-                        known(Some(row), moved(column, offset * distance as i64))
+                        known(Some(row), moved(column, offset * distance.cast_signed()))
                     } else {
-                        known(moved(row, offset * distance as i64), Some(column))
+                        known(moved(row, offset * distance.cast_signed()), Some(column))
                     }
                 };
                 let around = [near(-3), near(-1), near(1), near(3)];

@@ -34,11 +34,11 @@ impl EdgeFunction {
     ///
     /// # Errors
     /// As [`LinearFloquet::characteristic`].
-    pub fn value(&self, linear: &LinearFloquet, omega: f64, k0: f64) -> Result<f64, NumericsError> {
+    pub fn value(self, linear: &LinearFloquet, omega: f64, k0: f64) -> Result<f64, NumericsError> {
         Ok(self.of(&linear.characteristic(omega, k0)?))
     }
 
-    fn of(&self, polynomial: &Characteristic) -> f64 {
+    fn of(self, polynomial: &Characteristic) -> f64 {
         match self.kind {
             EdgeKind::PeriodDoubling => polynomial.value(-1.0),
             EdgeKind::PlusOne => polynomial.value(1.0),
@@ -49,12 +49,12 @@ impl EdgeFunction {
         }
     }
 
-    fn of_two(&self, c: &[f64; 6]) -> f64 {
+    fn of_two(self, c: &[f64; 6]) -> f64 {
         let p = if self.kind == EdgeKind::Krein { 0.5 * c[0] } else { (c[2] - c[0]) / (c[3] - 1.0) };
         -(p * (p - c[0]) + c[1] - 1.0 - c[3])
     }
 
-    fn of_three(&self, c: &[f64; 6]) -> f64 {
+    fn of_three(self, c: &[f64; 6]) -> f64 {
         // The quadratic that p solves: for a collision, the derivative of r.
         let (a, b, last) = if self.kind == EdgeKind::Krein {
             (3.0, -2.0 * c[0], c[1] - 2.0 - c[5])

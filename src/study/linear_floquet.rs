@@ -8,9 +8,10 @@
 use crate::error::NumericsError;
 use crate::model::linear::LinearPair;
 use crate::model::parameters::Parameters;
-use crate::numerics::characteristic::{Characteristic, Factors};
+use crate::numerics::characteristic::{self, Characteristic, Factors};
 use crate::numerics::parametric::Parametric;
 use crate::numerics::roots::bracketed_root;
+use std::cell::Cell;
 use std::f64::consts::PI;
 
 /// Most steps of one characteristic polynomial: some tenths of a second.
@@ -23,14 +24,19 @@ enum Coupled {
     Three(Parametric<3, 6>),
 }
 
-/// The linear problem with its idle mode apart.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Steps that all characteristic polynomials of one question may take: some seconds, a hundred times what ordinary
+/// parameters need.
+pub const BUDGET: f64 = 1e6;
+
+/// The linear problem with its idle mode apart, and what is left of its [`BUDGET`].
+#[derive(Clone, Debug, PartialEq)]
 pub struct LinearFloquet {
     coupled: Coupled,
     /// Stiffness and damping of the idle mode x'' + d x' + s x = 0.
     idle: Option<[f64; 2]>,
     damping_trace: f64,
     refinement: f64,
+    left: Cell<f64>,
 }
 
 impl LinearFloquet {
@@ -54,6 +60,7 @@ impl LinearFloquet {
                 idle: Some([stiffness[0], damping[0]]),
                 damping_trace: coupled.damping_trace(),
                 refinement: 1.0,
+                left: Cell::new(BUDGET),
             };
         }
         let coupled = Parametric { stiffness, damping, coupling, mutual_damping };
@@ -62,14 +69,20 @@ impl LinearFloquet {
             idle: None,
             damping_trace: coupled.damping_trace(),
             refinement: 1.0,
+            left: Cell::new(BUDGET),
         }
     }
 
     /// The same, integrated in twice as many steps: for estimates of the error.
     #[must_use]
-    pub fn refined(mut self) -> Self {
-        self.refinement *= 2.0;
-        self
+    pub fn refined(&self) -> Self {
+        Self { refinement: 2.0 * self.refinement, ..self.clone() }
+    }
+
+    /// About the error of the coefficients of a characteristic polynomial, relative to the greatest: measured against
+    /// steps four times as many.
+    pub fn truncation(&self) -> f64 {
+        if self.refinement > 1.0 { 1e-14 } else { 3e-13 }
     }
 
     /// Degrees of freedom that the pulsation acts on: two or three.
@@ -104,6 +117,12 @@ impl LinearFloquet {
     /// [`NumericsError::TooManySteps`] in stiff and slow corners, [`NumericsError::NotFinite`] for growth beyond all
     /// numbers.
     pub fn characteristic(&self, omega: f64, k0: f64) -> Result<Characteristic, NumericsError> {
+        // A polynomial costs about as much as one more step.
+        let left = self.left.get() - self.steps(omega, k0) - 1.0;
+        if left.is_nan() || left <= 0.0 {
+            return Err(NumericsError::TooManySteps { time: 0.0, steps: BUDGET as usize });
+        }
+        self.left.set(left);
         let found = match &self.coupled {
             Coupled::Two(system) => system.characteristic(k0, omega, MOST_STEPS, self.refinement),
             Coupled::Three(system) => system.characteristic(k0, omega, MOST_STEPS, self.refinement),
@@ -197,25 +216,34 @@ impl LinearFloquet {
     }
 }
 
-/// Factors of a characteristic polynomial: refined from those of a neighbour, or found anew; and their
-/// [`separation`](crate::numerics::characteristic::Refined::separation), `None` when found anew.
+/// Factors of a characteristic polynomial: refined from those of a neighbour to about `accuracy`, or else found anew; and
+/// the resultant that [`Factors::refine`] answers, 0 where nothing is known of it.
 ///
 /// # Errors
 /// As [`Factors::find`].
 pub fn factorise(
     of: &Characteristic,
     from: Option<Factors>,
-) -> Result<(Factors, Option<f64>), NumericsError> {
+    accuracy: f64,
+) -> Result<(Factors, f64), NumericsError> {
     if let Some(mut factors) = from
-        && let Some(refined) = factors.refine(of)
+        && let Some(separation) = factors.refine(of, accuracy)
     {
-        return Ok((factors, Some(refined.separation)));
+        return Ok((factors, separation));
     }
-    let mut factors = Factors::find(of)?;
-    let found = factors;
+    let found = Factors::find(of)?;
+    let mut factors = found;
     // The eigenvalues are good to the rounding of the companion matrix; Newton's method makes them good to their own.
-    match factors.refine(of) {
-        Some(refined) => Ok((factors, Some(refined.separation))),
-        None => Ok((found, None)),
+    match factors.refine(of, accuracy) {
+        Some(separation) => Ok((factors, separation)),
+        None => Ok((found, 0.0)),
     }
+}
+
+/// Factors from nothing, to rounding.
+///
+/// # Errors
+/// As [`Factors::find`].
+pub fn factors(of: &Characteristic) -> Result<Factors, NumericsError> {
+    Ok(factorise(of, None, characteristic::ROUNDING)?.0)
 }

@@ -5,12 +5,12 @@
 //! interpolated onto the chart, and factorised along k0, each point from its neighbour.
 
 use super::grid::Grid;
-use super::linear_floquet::{LinearFloquet, MOST_STEPS, factorise};
+use super::linear_floquet::{LinearFloquet, factorise};
 use super::motion;
 use super::multipliers::linear_monodromy;
 use crate::error::{NumericsError, StudyError};
 use crate::model::parameters::Parameters;
-use crate::numerics::characteristic::{Characteristic, Factors};
+use crate::numerics::characteristic::{self, Characteristic, Factors};
 use crate::numerics::periodic::matrix;
 use crate::numerics::{chebyshev, floquet};
 use std::f64::consts::PI;
@@ -33,11 +33,19 @@ pub struct StabilityChart {
 }
 
 /// Most steps of all integrations of a chart: some seconds.
-const MOST_CHART_STEPS: f64 = 4e6;
-/// Coefficients of the polynomial are wanted at least this well, relative to the greatest: near rounding.
-const FINEST: f64 = 2e-14;
+const MOST_CHART_STEPS: f64 = 8e5;
+/// Coefficients of the polynomial are wanted at least this well, relative to the greatest: near what the
+/// series of the integration leave out.
+const FINEST: f64 = 1e-13;
+/// The coefficients seen to be left out may be this many times what is wanted: they are the last of a steep decay, and
+/// what follows them is smaller still.
+const ENOUGH: f64 = 20.0;
+/// The same, where the integration is refined and multipliers meet.
+const ROUNDING: f64 = 2e-15;
 /// Points computed directly, for comparison.
-const SPOT_CHECKS: usize = 10;
+const SPOT_CHECKS: usize = 8;
+/// Terms in k0^2 at very short periods.
+const FEWEST: f64 = 6.0;
 /// Nodes beyond which interpolation is not tried.
 const MOST_NODES: usize = 400;
 
@@ -68,15 +76,25 @@ pub fn stability_chart(
     check_plane(omega, k0)?;
     motion::check_tolerance(tolerance)?;
     let linear = LinearFloquet::new(p);
-    let finest = (0.01 * tolerance * tolerance).clamp(FINEST, 1e-10);
-    let coefficients = Surface::fit(&linear, omega, k0, finest)?;
-    let mut chart = coefficients.factorised(&linear, omega, k0)?;
+    let accuracy = (1e-4 * tolerance).max(characteristic::ROUNDING);
+    let finest = (0.1 * tolerance * tolerance).clamp(FINEST, 1e-10);
+    let mut chart = Surface::fit(&linear, omega, k0, finest)?.factorised(&linear, omega, k0, accuracy)?;
+    if chart.error > tolerance {
+        // Multipliers meet somewhere: what can be had from double precision.
+        let refined = linear.refined();
+        chart = Surface::fit(&refined, omega, k0, ROUNDING)?.factorised(
+            &refined,
+            omega,
+            k0,
+            characteristic::ROUNDING,
+        )?;
+    }
     let seen = spot_checks(p, omega, k0, &chart.radius)?;
     let mut method = "Chebyshev interpolation of the characteristic polynomial, Taylor series of order 24 on half a period";
     if seen > tolerance.max(chart.error) {
         // What the decay promised does not hold: every point by itself.
         let direct = Surface::direct(&linear, omega, k0)?;
-        chart = direct.factorised(&linear, omega, k0)?;
+        chart = direct.factorised(&linear, omega, k0, accuracy)?;
         method = "characteristic polynomial at every point, Taylor series of order 24 on half a period";
     }
     Ok(StabilityChart {
@@ -105,7 +123,7 @@ fn spot_checks(p: &Parameters, omega: Grid, k0: Grid, radius: &[f64]) -> Result<
 
 /// The spectral radius from the whole monodromy matrix by other code than the chart's.
 fn direct_radius(p: &Parameters, omega: f64, k0: f64) -> Result<f64, NumericsError> {
-    let here = Parameters { omega, k0, ..*p };
+    let here = Parameters { k0, omega, ..*p };
     Ok(floquet::spectrum(&matrix(&linear_monodromy(&here, 1e-14, 1.0)?))?.radius())
 }
 
@@ -148,23 +166,24 @@ impl Surface {
     /// As many nodes as the decay asks for in each direction, or the chart's own points where these are fewer.
     fn fit(linear: &LinearFloquet, omega: Grid, k0: Grid, finest: f64) -> Result<Self, StudyError> {
         let (long, short) = (2.0 * PI / omega.low, 2.0 * PI / omega.high);
-        let rows = terms_in_depth(linear, omega.low, k0, finest)?;
+        let mut rows = terms_in_depth(linear, omega.low, k0, finest)?;
         let turns: f64 = linear.frequencies().iter().sum::<f64>() * 0.5 * (long - short);
         // The coefficients turn as exp(i turns x): their Chebyshev coefficients are Bessel functions of `turns`.
-        let mut nodes = (turns + 6.5 * turns.cbrt() + 10.0 + 0.06 * k0.high * turns).ceil();
+        let mut nodes = (turns + 6.0 * turns.cbrt() + 8.0 + 0.06 * k0.high * turns).ceil();
         while nodes < omega.count.min(MOST_NODES) as f64 {
-            let fitted = Self::sample(linear, omega, k0, Some(nodes as usize), rows, finest)?;
-            if fitted.error <= finest * 8.0 {
+            let fitted = Self::sample(linear, omega, k0, Some(nodes as usize), rows)?;
+            if fitted.error <= ENOUGH * finest {
                 return Ok(fitted);
             }
-            nodes = (1.25 * nodes + 4.0).ceil();
+            nodes = (1.2 * nodes + 4.0).ceil();
+            rows = rows.map(|rows| rows + 2).filter(|rows| *rows < k0.count);
         }
-        Self::sample(linear, omega, k0, None, rows, finest)
+        Self::sample(linear, omega, k0, None, rows)
     }
 
     /// Every point by itself.
     fn direct(linear: &LinearFloquet, omega: Grid, k0: Grid) -> Result<Self, StudyError> {
-        Self::sample(linear, omega, k0, None, None, FINEST)
+        Self::sample(linear, omega, k0, None, None)
     }
 
     fn sample(
@@ -173,7 +192,6 @@ impl Surface {
         k0: Grid,
         nodes: Option<usize>,
         rows: Option<usize>,
-        finest: f64,
     ) -> Result<Self, StudyError> {
         let width = 2 * linear.modes() - 1;
         let (long, short) = (2.0 * PI / omega.low, 2.0 * PI / omega.high);
@@ -183,46 +201,33 @@ impl Surface {
         };
         let per_row = rows.unwrap_or(k0.count);
         let work: f64 = frequencies.iter().map(|at| linear.steps(*at, k0.high)).sum::<f64>() * per_row as f64;
-        if !(work <= MOST_CHART_STEPS) {
+        if work.is_nan() || work > MOST_CHART_STEPS {
             return Err(too_much_work(work));
         }
         let terms = width * per_row;
         let mut values = vec![0.0; frequencies.len() * terms];
-        let mut wanted = per_row;
         let mut samples = Vec::with_capacity(terms);
         let mut error = 0.0_f64;
-        // Chebyshev nodes in T fall, so that the first one needs the most terms in k0^2; the chart's own go either way.
+        let grid: Vec<f64> = (0..k0.count).map(|j| k0.value(j)).collect();
         for (at, row) in frequencies.iter().zip(values.chunks_exact_mut(terms)) {
-            loop {
-                samples.clear();
-                let count = if rows.is_some() { wanted } else { k0.count };
-                let depths: Vec<f64> = match rows {
-                    Some(_) => depths(k0, count),
-                    None => (0..k0.count).map(|j| k0.value(j)).collect(),
-                };
-                for depth in depths {
-                    inner_coefficients(linear, *at, depth, &mut samples)?;
+            samples.clear();
+            // Shorter periods ask for fewer terms in k0^2, about as their square root.
+            let count = rows.map_or(k0.count, |most| {
+                let part = (omega.low / at).sqrt();
+                (FEWEST + (most as f64 - FEWEST).max(0.0) * part).ceil().min(most as f64) as usize
+            });
+            let depths = if rows.is_some() { &depths(k0, count) } else { &grid };
+            for depth in depths {
+                inner_coefficients(linear, *at, *depth, &mut samples)?;
+            }
+            if rows.is_some() {
+                samples = chebyshev::coefficients(&samples, width);
+                error = error.max(chebyshev::tail(&samples, width) / largest(&samples).max(1.0));
+            }
+            for (term, numbers) in samples.chunks_exact(width).enumerate() {
+                for (coefficient, value) in numbers.iter().enumerate() {
+                    row[coefficient * per_row + term] = *value;
                 }
-                if rows.is_some() {
-                    samples = chebyshev::coefficients(&samples, width);
-                    let scale = largest(&samples).max(1.0);
-                    let tail = chebyshev::tail(&samples, width) / scale;
-                    if tail > finest && wanted < per_row {
-                        wanted += 1;
-                        continue;
-                    }
-                    error = error.max(tail);
-                    // One fewer next time, where the last two terms are far below what is wanted.
-                    if tail < 1e-2 * finest && wanted > 4 {
-                        wanted -= 1;
-                    }
-                }
-                for (term, numbers) in samples.chunks_exact(width).enumerate() {
-                    for (coefficient, value) in numbers.iter().enumerate() {
-                        row[coefficient * per_row + term] = *value;
-                    }
-                }
-                break;
             }
         }
         if let Some(count) = nodes {
@@ -250,14 +255,20 @@ impl Surface {
             }
             basis
         });
-        Ok(Self { width, terms: per_row, values, basis, error: error.max(FINEST) })
+        Ok(Self { width, terms: per_row, values, basis, error: error.max(linear.truncation()) })
     }
 
     /// The radius at every point, each column of the chart from k0 = 0 upwards.
-    fn factorised(&self, linear: &LinearFloquet, omega: Grid, k0: Grid) -> Result<Factorised, StudyError> {
+    fn factorised(
+        &self,
+        linear: &LinearFloquet,
+        omega: Grid,
+        k0: Grid,
+        accuracy: f64,
+    ) -> Result<Factorised, StudyError> {
         let mut radius = vec![0.0; omega.count * k0.count];
         let at_rest = linear.at_rest()?;
-        let mut error = 0.0_f64;
+        let mut amplification = Amplification::default();
         let mut columns = vec![0.0; self.width * k0.count];
         for (i, values) in self.values.chunks_exact(self.width * self.terms).enumerate() {
             let at = omega.value(i);
@@ -266,20 +277,34 @@ impl Surface {
             let idle = linear.idle_radius(at);
             let mut coefficients = [0.0; 6];
             coefficients[self.width] = (-linear.damping_trace() * period).exp();
-            let mut from = Some(at_rest.propagated(period)).filter(finite);
+            // The last three rows' factors, the newest first, as far as they continue each other.
+            let mut rows = [at_rest.propagated(period); 3];
+            let mut continued = usize::from(finite(&rows[0]));
             for j in 0..k0.count {
                 for k in 0..self.width {
                     coefficients[k] = columns[k * k0.count + j];
                 }
                 let polynomial = Characteristic { degree: self.width + 1, coefficients };
-                let (factors, separation) = factorise(&polynomial, from)?;
+                let mut tried = None;
+                if continued > 0 {
+                    let mut guess =
+                        if continued > 3 { rows[0].extrapolated(&rows[1], &rows[2]) } else { rows[0] };
+                    tried = guess.refine(&polynomial, accuracy).map(|separation| (guess, separation));
+                }
+                continued += 1;
+                let (factors, separation) = if let Some(tried) = tried {
+                    tried
+                } else {
+                    continued = 1;
+                    factorise(&polynomial, None, accuracy)?
+                };
                 let here = factors.radius();
                 radius[j * omega.count + i] = here.max(idle);
-                error = error.max(amplified(&factors, separation, self.error, &coefficients));
-                from = Some(factors);
+                amplification.see(&factors, here, separation, &coefficients);
+                rows = [factors, rows[0], rows[1]];
             }
         }
-        Ok(Factorised { radius, error })
+        Ok(Factorised { radius, error: amplification.of(self.error).max(10.0 * accuracy) })
     }
 
     /// The coefficients on the chart's own k0, one run of them for each coefficient.
@@ -329,7 +354,7 @@ fn terms_in_depth(
             return Ok(None);
         }
         let work = linear.steps(omega, k0.high) * count as f64;
-        if !(work <= MOST_CHART_STEPS) {
+        if work.is_nan() || work > MOST_CHART_STEPS {
             return Err(too_much_work(work));
         }
         let mut samples = Vec::with_capacity(width * count);
@@ -348,20 +373,92 @@ fn terms_in_depth(
     }
 }
 
-/// How far an error of the coefficients can change the greatest root: divided by its distances from the others, or
-/// its square root where they meet.
-fn amplified(factors: &Factors, separation: Option<f64>, error: f64, coefficients: &[f64; 6]) -> f64 {
-    let top = factors.top();
-    let radius = factors.radius();
-    let scale = error * largest(coefficients).max(1.0);
-    let (p, q) = (factors.p[top], factors.q[top]);
-    // The change of p or q is that of the coefficients, up to radius^(n-1), over the other factors' value here.
-    let growth = radius.max(1.0).powi(2 * factors.count as i32 - 1);
-    let others = separation.map_or(0.0, |resultant| resultant.abs().sqrt());
-    let own = (p * p - 4.0 * q).abs().sqrt().min(1.0);
-    let error = scale * growth;
-    (error / (others * own)).min(error.sqrt())
+/// How far errors of the coefficients can change the greatest root: divided by its distances from the others, or the
+/// square root where they meet.
+#[derive(Default)]
+struct Amplification {
+    /// Greatest square of the factor.
+    square: f64,
+    /// Greatest size of the coefficients and of their powers in the polynomial.
+    size: f64,
 }
 
-/// Most steps that a single column may take.
-const _: () = assert!(MOST_STEPS as f64 <= MOST_CHART_STEPS);
+impl Amplification {
+    fn see(&mut self, factors: &Factors, radius: f64, separation: f64, coefficients: &[f64; 6]) {
+        let mut size = largest(coefficients).max(1.0);
+        // A change of the coefficients is multiplied by up to radius^(n-1).
+        for _ in 1..2 * factors.count {
+            size *= radius.max(1.0);
+        }
+        let top = factors.top();
+        let own = (factors.p[top] * factors.p[top] - 4.0 * factors.q[top]).abs().min(1.0);
+        self.square = self.square.max(size * size / (separation.abs() * own));
+        self.size = self.size.max(size);
+    }
+
+    /// The greatest change of a root for this error of the coefficients, relative to the greatest of each polynomial.
+    fn of(&self, error: f64) -> f64 {
+        (error * self.square.sqrt()).min((error * self.size).sqrt())
+    }
+}
+
+/// A tongue seen on a chart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeenTongue {
+    /// A mesh frequency well inside it at `k0`: a start for [`Tongue::Near`](super::tongue::Tongue::Near).
+    pub omega: f64,
+    /// The depth at which it is that frequency.
+    pub k0: f64,
+    /// The least depth at which the chart shows it.
+    pub lowest: f64,
+}
+
+/// How far beyond 1, and beyond the chart's own error, a radius counts as unstable here.
+const SEEN: f64 = 1e-5;
+
+/// The tongues that a chart shows: unstable intervals of a row above none in the row below, each followed upwards to the
+/// last row in which it is an interval of its own.
+///
+/// Tongues narrower than the chart's columns may be missed, and one that starts narrower than them may be seen late.
+pub fn tongues_in(chart: &StabilityChart) -> Vec<SeenTongue> {
+    let (columns, rows) = (chart.omega.count, chart.k0.count);
+    let limit = 1.0 + SEEN.max(2.0 * chart.error);
+    let mut seen: Vec<SeenTongue> = Vec::new();
+    // Intervals of the row below: first and last column, and the tongue it belongs to.
+    let mut below: Vec<(usize, usize, usize)> = Vec::new();
+    for j in 0..rows {
+        let row = &chart.spectral_radius[j * columns..(j + 1) * columns];
+        let unstable = |i: usize| row[i].is_finite() && row[i] > limit;
+        let mut intervals = Vec::new();
+        let mut i = 0;
+        while i < columns {
+            if !unstable(i) {
+                i += 1;
+                continue;
+            }
+            let first = i;
+            while i < columns && unstable(i) {
+                i += 1;
+            }
+            let last = i - 1;
+            // Neighbouring columns count: a narrow tongue leans to one side from row to row.
+            let mut parents = below
+                .iter()
+                .filter(|(start, end, _)| *start <= last + 1 && first <= end + 1)
+                .map(|own| own.2);
+            let (parent, second) = (parents.next(), parents.next());
+            let tongue = parent.unwrap_or_else(|| {
+                let k0 = chart.k0.value(j);
+                seen.push(SeenTongue { omega: chart.omega.value(first), k0, lowest: k0 });
+                seen.len() - 1
+            });
+            if second.is_none() {
+                let deepest = (first..=last).fold(first, |best, i| if row[i] > row[best] { i } else { best });
+                (seen[tongue].omega, seen[tongue].k0) = (chart.omega.value(deepest), chart.k0.value(j));
+            }
+            intervals.push((first, last, tongue));
+        }
+        below = intervals;
+    }
+    seen
+}

@@ -6,7 +6,7 @@
 
 use super::ErrorEstimate;
 use super::edge_function::EdgeFunction;
-use super::linear_floquet::{LinearFloquet, factorise};
+use super::linear_floquet::{self, LinearFloquet};
 use super::motion;
 use crate::error::{NumericsError, StudyError};
 use crate::model::parameters::Parameters;
@@ -157,7 +157,7 @@ pub(super) fn origin(linear: &LinearFloquet, tongue: Tongue) -> (f64, EdgeFuncti
 }
 
 /// Greatest advance of k0 when the middle of a tongue is followed.
-const K0_STEP: f64 = 0.05;
+const K0_STEP: f64 = 0.1;
 
 /// The deepest point of a named tongue at this depth, if it is open there, and its function.
 fn follow_centre(
@@ -184,7 +184,7 @@ fn follow_centre(
                 },
             );
         let last = index as f64 == count;
-        let widths: &[f64] = if last { &[0.01, 2e-3, 2e-4] } else { &[0.01, 2e-3] };
+        let widths: &[f64] = if last { &[0.01, 1e-3, 1e-4] } else { &[0.01] };
         let guess = if index < 3 { centre } else { guess };
         deepest = minimise(linear, function, guess, depth, widths)?;
         before = Some((depth * depth, centre));
@@ -209,7 +209,7 @@ fn is_this_instability(
     if linear.undamped() {
         return Ok(true);
     }
-    let factors = factorise(&linear.characteristic(omega, k0)?, None)?.0;
+    let factors = linear_floquet::factors(&linear.characteristic(omega, k0)?)?;
     let top = factors.top();
     let real = 0.25 * factors.p[top] * factors.p[top] >= factors.q[top];
     let of_kind = real == (function.kind == EdgeKind::PeriodDoubling);
@@ -308,8 +308,8 @@ mod near {
     //! The interval of instability about or next to a given frequency.
 
     use super::{
-        Edge, EdgeFunction, EdgeKind, Factors, LinearFloquet, NEAR, NumericsError, PI, StudyError, factorise,
-        zero,
+        Edge, EdgeFunction, EdgeKind, Factors, LinearFloquet, NEAR, NumericsError, PI, StudyError,
+        linear_floquet, zero,
     };
 
     /// By how much a modulus must exceed 1 to count. Undamped multipliers that meet on the circle are parted by the
@@ -319,7 +319,7 @@ mod near {
     }
 
     fn factors(linear: &LinearFloquet, omega: f64, k0: f64) -> Result<Factors, NumericsError> {
-        Ok(factorise(&linear.characteristic(omega, k0)?, None)?.0)
+        linear_floquet::factors(&linear.characteristic(omega, k0)?)
     }
 
     fn growth(linear: &LinearFloquet, omega: f64, k0: f64) -> Result<f64, NumericsError> {
@@ -341,7 +341,7 @@ mod near {
         k0: f64,
         tolerance: f64,
     ) -> Result<Option<[Edge; 2]>, StudyError> {
-        if !(omega >= 0.01 && omega <= 100.0) {
+        if !(0.01..=100.0).contains(&omega) {
             return Err(StudyError::Option {
                 option: "tongue",
                 given: omega.to_string(),

@@ -105,25 +105,111 @@ pub fn tongue_boundary(
     let Some([left, right]) = tongue::edges(&linear, tongue, high, tolerance)? else { return Ok(boundary) };
     let plane =
         Plane { middle: 0.5 * (left.omega + right.omega), width: right.omega - left.omega, depth: high };
-    let over_tip = follow(&linear, plane, &left, &right, low)?;
-    let (legs, closed) = match over_tip {
-        Followed::Over(leg) => (vec![leg], true),
-        Followed::Down(leg) => {
-            let Followed::Down(other) = follow(&linear, plane, &right, &left, low)? else {
-                return Err(NumericsError::NoConvergence { iterations: 0, residual: 1.0, tolerance }.into());
-            };
-            (vec![leg, other], false)
-        }
-    };
-    if closed {
-        over(&linear, plane, &legs[0], points, tolerance, &mut boundary)?;
-    } else {
-        let named =
-            if matches!(tongue, Tongue::Near(_)) { None } else { Some(tongue::origin(&linear, tongue).0) };
-        two_legs(&linear, plane, &legs, low, named, points, tolerance, &mut boundary)?;
+    let traced = along_arc(&linear, tongue, plane, [&left, &right], low, points, tolerance, &mut boundary);
+    if let Err(StudyError::Numerics(_)) = traced {
+        // Where another tongue runs into this one the curve can turn too sharply to be followed.
+        by_levels(&linear, tongue, k0, points, tolerance, &mut boundary)?;
     }
     errors(&linear, plane, &mut boundary)?;
     Ok(boundary)
+}
+
+/// The boundary by pseudo-arclength.
+#[expect(clippy::too_many_arguments, reason = "the question and its answer, passed on")]
+fn along_arc(
+    linear: &LinearFloquet,
+    tongue: Tongue,
+    plane: Plane,
+    [left, right]: [&Edge; 2],
+    low: f64,
+    points: usize,
+    tolerance: f64,
+    boundary: &mut TongueBoundary,
+) -> Result<(), StudyError> {
+    match follow(linear, plane, left, right, low)? {
+        Followed::Over(leg) => over(linear, plane, &leg, points, tolerance, boundary),
+        Followed::Down(leg) => {
+            let Followed::Down(other) = follow(linear, plane, right, left, low)? else {
+                return Err(NumericsError::NoConvergence { iterations: 0, residual: 1.0, tolerance }.into());
+            };
+            let named =
+                if matches!(tongue, Tongue::Near(_)) { None } else { Some(tongue::origin(linear, tongue).0) };
+            two_legs(linear, plane, &[leg, other], low, named, points, tolerance, boundary)
+        }
+    }
+}
+
+/// Halvings of the depths between which the tip lies, where it is looked for by the edges alone.
+const HALVINGS: usize = 40;
+
+/// The boundary from the edges at one depth after another.
+fn by_levels(
+    linear: &LinearFloquet,
+    tongue: Tongue,
+    [low, high]: [f64; 2],
+    points: usize,
+    tolerance: f64,
+    boundary: &mut TongueBoundary,
+) -> Result<(), StudyError> {
+    boundary.omega.clear();
+    boundary.k0.clear();
+    boundary.kind.clear();
+    boundary.method =
+        "edges at one depth after another: zeros of the characteristic polynomial's conditions, Taylor series of order 24 on half a period"
+            .into();
+    // Where the tongue cannot be told from another at some depth, that depth is as good as closed.
+    let at_depth = |near: Tongue, depth: f64| match tongue::edges(linear, near, depth, tolerance) {
+        Err(StudyError::Numerics(error @ NumericsError::TooManySteps { .. })) => Err(error.into()),
+        Err(StudyError::Numerics(_)) => Ok(None),
+        other => other,
+    };
+    // A tongue given by a frequency in it is found again by its middle at the depth before.
+    let within = |edges: &[Edge; 2]| match tongue {
+        Tongue::Near(_) => Tongue::Near(0.5 * (edges[0].omega + edges[1].omega)),
+        named => named,
+    };
+    let Some(top) = at_depth(tongue, high)? else { return Ok(()) };
+    let (mut closed, mut open, mut lowest) = (low, high, top);
+    let mut reaches = false;
+    if low > 0.0
+        && let Some(edges) = at_depth(within(&top), low)?
+    {
+        (open, lowest, reaches) = (low, edges, true);
+    }
+    for _ in 0..HALVINGS {
+        if reaches || open - closed <= 1e-9 {
+            break;
+        }
+        let middle = 0.5 * (open + closed);
+        match at_depth(within(&lowest), middle)? {
+            Some(edges) => (open, lowest) = (middle, edges),
+            None => closed = middle,
+        }
+    }
+    let each = points / 2;
+    let mut levels = Vec::with_capacity(each);
+    let mut before = top;
+    for index in 0..each {
+        let part = 1.0 - index as f64 / each as f64;
+        let depth = (open * open + (high * high - open * open) * part * part).sqrt();
+        if let Some(edges) = at_depth(within(&before), depth)? {
+            before = edges;
+            levels.push((depth, edges));
+        }
+    }
+    for (depth, edges) in &levels {
+        push(boundary, edges[0].omega, *depth, edges[0].function.kind);
+    }
+    if !reaches {
+        let omega = 0.5 * (lowest[0].omega + lowest[1].omega);
+        push(boundary, omega, open, lowest[0].function.kind);
+        boundary.tip = Some([omega, open]);
+    }
+    boundary.left = boundary.omega.len();
+    for (depth, edges) in levels.iter().rev() {
+        push(boundary, edges[1].omega, *depth, edges[1].function.kind);
+    }
+    Ok(())
 }
 
 enum Followed {
@@ -365,6 +451,7 @@ fn tip(linear: &LinearFloquet, plane: Plane, leg: &Leg, tolerance: f64) -> Resul
     Ok(centre)
 }
 
+#[expect(clippy::too_many_arguments, reason = "the question and its answer, passed on")]
 /// Points along two legs that end at the depth `low`, or meet at `k0 = 0`.
 fn two_legs(
     linear: &LinearFloquet,
@@ -448,6 +535,9 @@ fn nearest_origin(linear: &LinearFloquet, omega: f64) -> f64 {
 fn errors(linear: &LinearFloquet, plane: Plane, boundary: &mut TongueBoundary) -> Result<(), StudyError> {
     let (mut step, mut residual) = (0.0_f64, 0.0_f64);
     let count = boundary.omega.len();
+    if count == 0 {
+        return Ok(());
+    }
     for index in [0, count / 3, 2 * count / 3, count - 1] {
         if boundary.k0[index] == 0.0 {
             continue;

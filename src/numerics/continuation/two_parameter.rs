@@ -32,7 +32,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { first: 0.02, greatest: 0.15, least: 1e-9, turn: 0.35, tolerance: 1e-6, points: 4000 }
+        Self { first: 0.02, greatest: 0.15, least: 1e-9, turn: 0.35, tolerance: 1e-6, points: 500 }
     }
 }
 
@@ -65,6 +65,8 @@ const STENCIL: usize = 6;
 /// Corrections beyond this part of the step are not trusted.
 const REACH: f64 = 0.1;
 
+/// Attempts at steps, for each point that a curve may have.
+const ATTEMPTS: usize = 4;
 /// A step shorter than this part of the chord before it takes that chord back.
 const SHORT: f64 = 0.2;
 
@@ -209,7 +211,11 @@ pub fn trace(
     let normal = turned(tangent);
     curve.push(start, gradient[0] * normal[0] + gradient[1] * normal[1]);
     let mut step = options.first;
-    while curve.points.len() < options.points {
+    // Each point may cost some attempts, and be taken back.
+    for _ in 0..ATTEMPTS * options.points {
+        if curve.points.len() >= options.points {
+            break;
+        }
         let count = curve.points.len();
         let here = curve.points[count - 1];
         let (guess, ahead) = if count == 1 {
