@@ -98,7 +98,7 @@ fn block_spectrum(matrix: &Matrix6, from: usize, to: usize) -> Result<Spectrum, 
 
 /// Moduli above 1 by less are so by rounding: on a branch of a linear system, along which the parameter stays the same,
 /// one multiplier is 1.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING: f64 = 1e-7;
 /// Nearer to +1 than this at both ends of an interval, a multiplier stays there, and the sign of its test function is
 /// rounding.
 const NEUTRAL: f64 = 1e-7;

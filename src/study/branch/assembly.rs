@@ -150,7 +150,7 @@ fn columns(
         events,
         ends,
         method:
-            "pseudo-arclength continuation, prediction of degree 5, variational Taylor series of order 16, \
+            "pseudo-arclength continuation, prediction of degree 7, variational Taylor series of order 16, \
                  symmetric stroboscopic map"
                 .into(),
         error: ErrorEstimate::default(),
