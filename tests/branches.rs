@@ -3,6 +3,7 @@
 mod common;
 
 use common::{Generator, numbers, parameters, reference};
+use gear_bifurcations::error::StudyError;
 use gear_bifurcations::model::parameters::Parameters;
 use gear_bifurcations::study::branch::{
     Branch, BranchEnd, BranchEvent, BranchOptions, Breaks, EventKind, branch,
@@ -10,6 +11,7 @@ use gear_bifurcations::study::branch::{
 use gear_bifurcations::study::diagram::{DiagramOptions, diagram};
 use gear_bifurcations::study::multipliers::multipliers;
 use gear_bifurcations::study::orbit::{OrbitOptions, periodic_orbit};
+use gear_bifurcations::study::poincare::{PoincareOptions, poincare};
 use serde_json::json;
 
 fn over_omega(p: &Parameters, range: [f64; 2], period: usize) -> Branch {
@@ -220,7 +222,7 @@ fn grazing_is_an_event_of_its_own_where_the_teeth_just_part() {
         let orbit = periodic_orbit(&at, &options).expect("found");
         // The least u of the orbit, or the least of |u| - 1 that it turns back at, is the boundary.
         let touches = (orbit.min[2] - 1.0).abs().min((orbit.min[2] + 1.0).abs());
-        assert!(touches < 1e-7, "{event:?}: {:e}", touches);
+        assert!(touches < 1e-7, "{event:?}: {touches:e}");
         let smooth =
             |other: &&BranchEvent| other.kind != EventKind::Grazing && (other.value - omega).abs() < 1e-6;
         assert!(!found.events.iter().any(|other| smooth(&other)), "{:#?}", found.events);
@@ -236,7 +238,6 @@ fn multipliers_with_contact_loss_are_those_of_differences() {
         (0..found.value.len()).find(|&i| found.value[i] < 1.6 && found.max_u[i] > 4.5).expect("parts");
     let omega = found.value[index];
     let at = Parameters { omega, omega_p: omega, omega_g: omega, ..p };
-    use gear_bifurcations::study::poincare::{PoincareOptions, poincare};
     let after = |state: [f64; 6]| {
         let options = PoincareOptions { state, transient: 2, points: 1, tolerance: 1e-13 };
         poincare(&at, &options).expect("computes").states[0]
@@ -316,7 +317,6 @@ fn no_parameters_make_a_branch_panic_or_give_what_is_no_number() {
 
 #[test]
 fn options_out_of_range_are_refused_by_name() {
-    use gear_bifurcations::error::StudyError;
     let p = numbers(&[("Omega", 1.65)]);
     let good = BranchOptions::new([1.0, 2.0], 2);
     for (option, options) in [

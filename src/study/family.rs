@@ -248,8 +248,8 @@ impl<'a> Seen<'a> {
         let last = self.places.len().saturating_sub(1);
         self.places.iter().enumerate().any(|(index, &(displacement, ..))| {
             let limit = if index == last { DIVERGED } else { bound };
-            // Also true where it is no number.
-            !(state[displacement].abs() <= limit)
+            let size = state[displacement].abs();
+            size.is_nan() || size > limit
         })
     }
 

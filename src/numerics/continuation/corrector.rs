@@ -210,8 +210,8 @@ fn eliminate(system: &mut System, size: usize) -> bool {
                 pivot = row;
             }
         }
-        // Also false where it is no number.
-        if !(system[pivot][column].abs() > 1e-280) {
+        let largest = system[pivot][column].abs();
+        if largest.is_nan() || largest < 1e-280 {
             return false;
         }
         system.swap(column, pivot);

@@ -98,7 +98,7 @@ fn block_spectrum(matrix: &Matrix6, from: usize, to: usize) -> Result<Spectrum, 
 
 /// Moduli above 1 by less are so by rounding: on a branch of a linear system, along which the parameter stays the same,
 /// one multiplier is 1.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING: f64 = 1e-7;
 /// Nearer to +1 than this at both ends of an interval, a multiplier stays there, and the sign of its test function is
 /// rounding.
 const NEUTRAL: f64 = 1e-7;
@@ -231,7 +231,7 @@ impl Search<'_> {
         if let [(sign, block)] = &changes[..]
             && (short || sure(*sign, *block))
         {
-            let located = self.locate(family, *from, *to, (*sign, *block))?;
+            let located = self.locate(family, from, to, (*sign, *block))?;
             self.found.push(located);
             return Ok(());
         }
@@ -271,11 +271,11 @@ impl Search<'_> {
     fn locate(
         &self,
         family: &mut dyn Family,
-        from: Point,
-        to: Point,
+        from: &Point,
+        to: &Point,
         (sign, block): (Sign, usize),
     ) -> Result<Located, NumericsError> {
-        let (mut low, mut high) = (from, to);
+        let (mut low, mut high) = (*from, *to);
         let value = |point: &Point| {
             let tests = point.linear.blocks[block];
             match sign {
@@ -343,7 +343,7 @@ impl Search<'_> {
         }
         let mut point = best;
         point.singular = true;
-        Ok(Located { sign, block, turns: turns(&from, &to), point })
+        Ok(Located { sign, block, turns: turns(from, to), point })
     }
 }
 

@@ -2,8 +2,9 @@
 
 use super::{Scaled, dot, unit};
 
-/// Most points that a prediction uses: degree 5.
-pub const MOST: usize = 6;
+/// Most points that a prediction uses: degree 7. Measured on the branch of tongue 2, that takes a quarter less work
+/// than degree 5; each further degree doubles the rounding of the points.
+pub const MOST: usize = 8;
 
 /// A point as the predictor sees it: arclength, place and unit tangent.
 pub type Knot = (f64, Scaled, Scaled);

@@ -241,7 +241,7 @@ impl Trace {
         self.points.push(point);
         self.smooth += 1;
         self.look_between(family);
-        let order = knots.len().max(4).min(MOST) as f64;
+        let order = knots.len().clamp(4, MOST) as f64;
         let for_distance = |wished: f64| {
             let growth = (wished / distance.max(1e-300)).powf(1.0 / order);
             (self.step * growth.clamp(0.4, 1.8)).min(self.bounds.longest)

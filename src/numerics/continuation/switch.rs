@@ -150,6 +150,9 @@ fn at_bifurcation(
 /// Where a branch that shrank was born: its last point is replaced by the bifurcation.
 ///
 /// The orbits there belong to the branch of higher symmetry or shorter period; the bifurcation is located on that.
+///
+/// # Errors
+/// As the family fails at the bifurcation.
 pub fn finish_shrunk(
     family: &mut dyn Family,
     trace: &mut Trace,
