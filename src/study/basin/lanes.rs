@@ -64,18 +64,16 @@ fn one_by_one(pair: &GearPair, cells: &mut [Cell], tolerance: f64) -> ([Carried;
     let mut carried = [Carried::On; LANES];
     let mut steps = 0;
     for (cell, carried) in cells.iter_mut().zip(&mut carried) {
-        match motion::carry(pair, 0.0, cell.state, pair.parameters.mesh_period(), tolerance) {
-            Ok(reached) => {
-                cell.state = reached.state;
-                steps += reached.steps;
-                if reached.escaped.is_some() {
-                    *carried = Carried::Escaped;
-                }
-            }
-            Err(_) => {
-                steps += FAILED;
-                *carried = Carried::Failed;
-            }
+        let Ok(reached) = motion::carry(pair, 0.0, cell.state, pair.parameters.mesh_period(), tolerance)
+        else {
+            steps += FAILED;
+            *carried = Carried::Failed;
+            continue;
+        };
+        cell.state = reached.state;
+        steps += reached.steps;
+        if reached.escaped.is_some() {
+            *carried = Carried::Escaped;
         }
     }
     (carried, steps)
