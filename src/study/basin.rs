@@ -25,10 +25,12 @@ pub const ESCAPED: i32 = -1;
 /// The start has not been done yet, or has come to no attractor within the periods given.
 pub const UNDECIDED: i32 = -2;
 
+/// Steps that a period counts which could not be carried through.
+const FAILED: usize = 400_000;
 /// Integration steps of one slice of work: some milliseconds.
 const SLICE: usize = 30_000;
 /// Integration steps of a whole share: half a minute. What is left then stays undecided.
-const MOST_STEPS: usize = 150_000_000;
+const MOST_STEPS: usize = 40_000_000;
 /// Starts along each axis from which attractors are looked for.
 const SEARCH: usize = 7;
 /// Integration steps of the search for attractors.
@@ -320,7 +322,7 @@ impl BasinWork {
         let start = (cell.periods % self.common) as f64 * period;
         let reached = motion::carry(&self.pair, start, cell.state, start + period, self.options.tolerance);
         // A period that takes more steps than any study grants it is one that cannot be decided.
-        let Ok(reached) = reached else { return ([Carried::Failed; LANES], SLICE) };
+        let Ok(reached) = reached else { return ([Carried::Failed; LANES], FAILED) };
         cell.state = reached.state;
         let carried = if reached.escaped.is_some() { Carried::Escaped } else { Carried::On };
         ([carried; LANES], reached.steps)

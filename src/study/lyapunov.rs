@@ -16,6 +16,10 @@ use crate::numerics::ode::taylor::Options;
 pub const MOST_PERIODS: usize = 100_000;
 /// Most steps of the integration: some seconds.
 const MOST_STEPS: usize = 2_000_000;
+/// The same of the variational equations, which cost ten times as much.
+const MOST_FRAMED_STEPS: usize = 250_000;
+/// Such steps that every period may take on average, however many are asked for.
+const STEPS_A_PERIOD: usize = 40;
 /// Periods, besides half of those asked for, in which a motion may settle.
 const SETTLING: usize = 1000;
 /// Periods, at most, in which the frame turns into place.
@@ -65,8 +69,11 @@ pub fn lyapunov(
     let begin = begin(p, start, state.is_some(), periods, tolerance)?;
     let period = p.mesh_period();
     let field = Variational { pair };
-    let options =
-        Options { tolerance: motion::step_tolerance(tolerance), step_factor: 1.0, steps: MOST_STEPS };
+    let options = Options {
+        tolerance: motion::step_tolerance(tolerance),
+        step_factor: 1.0,
+        steps: MOST_FRAMED_STEPS.max(STEPS_A_PERIOD * periods),
+    };
     let bounds = pair.escape_bounds();
     let mut stay = |state: &[f64]| state[0].abs() <= bounds[0] && state[1].abs() <= bounds[1];
     let turning = (periods / 4).clamp(8, TURNING);

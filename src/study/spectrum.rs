@@ -17,7 +17,7 @@ pub const SAMPLES: usize = 64;
 /// Most periods of transient and series together.
 pub const MOST_PERIODS: usize = 16_384;
 /// Most steps of the integration: some seconds.
-const MOST_STEPS: usize = 4_000_000;
+const MOST_STEPS: usize = 2_000_000;
 /// A series that ends this near where it began, relative to 1 + the largest coordinate, holds whole periods.
 const CLOSED: f64 = 1e-6;
 

@@ -11,7 +11,7 @@ use crate::model::equations::U;
 use crate::model::parameters::Parameters;
 
 /// Most integration steps of a sweep: some ten seconds.
-const MOST_STEPS: usize = 60_000_000;
+const MOST_STEPS: usize = 20_000_000;
 /// Integration steps of one slice of work: some milliseconds.
 const SLICE: usize = 30_000;
 

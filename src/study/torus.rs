@@ -123,7 +123,10 @@ impl Section<'_> {
             self.reduce(&self.apply(&state)?, to);
             return Ok(());
         };
+        let before = self.budget.left();
         let (reached, matrix) = image(&self.pair, &state, self.periods, self.tolerance, 1.0, self.budget)?;
+        // With its derivative a step costs as much as eight without.
+        self.budget.spend(7 * (before - self.budget.left()));
         self.reduce(&reached, to);
         let dimension = self.dimension();
         for row in 0..dimension {
@@ -245,7 +248,7 @@ struct Known<'a> {
 
 /// Steps that one search may take: some seconds' work.
 fn budget() -> Budget {
-    Budget::of(3_000_000)
+    Budget::of(4_000_000)
 }
 
 /// The invariant circle at these parameters: the one that a motion from near rest or from the cycle of \[T8\] comes to,

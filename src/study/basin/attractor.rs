@@ -148,7 +148,7 @@ pub(super) fn explore(
     for count in 1..=most + POINTS {
         let phase = ((count - 1) % common) as f64 * period;
         let Ok(reached) = motion::carry(pair, phase, states[count - 1], phase + period, tolerance) else {
-            return Ok(steps + super::SLICE);
+            return Ok(steps + super::FAILED);
         };
         steps += reached.steps;
         if reached.escaped.is_some() || steps > super::SEARCH_STEPS / 4 {

@@ -1,6 +1,6 @@
 //! Cells carried side by side, as lanes of one integration.
 
-use super::{Carried, Cell};
+use super::{Carried, Cell, FAILED};
 use crate::model::equations::{DIVERGED, GearPair};
 use crate::model::lanes::{LANES, OnManifold, SIZE, lane, set_lane};
 use crate::numerics::ode::taylor::{Options, Propagation};
@@ -33,7 +33,8 @@ pub(super) fn carry(
         let mut left = None;
         while propagation.time() < end && left.is_none() {
             if propagation.step(end).is_err() {
-                return (one_by_one(pair, cells, tolerance), 2 * taken + MOST_STEPS);
+                let (carried, steps) = one_by_one(pair, cells, tolerance);
+                return (carried, 2 * taken + steps);
             }
             taken += 1;
             let now = propagation.state();
@@ -59,18 +60,21 @@ pub(super) fn carry(
     (carried, 2 * taken)
 }
 
-fn one_by_one(pair: &GearPair, cells: &mut [Cell], tolerance: f64) -> [Carried; LANES] {
+fn one_by_one(pair: &GearPair, cells: &mut [Cell], tolerance: f64) -> ([Carried; LANES], usize) {
     let mut carried = [Carried::On; LANES];
+    let mut steps = 0;
     for (cell, carried) in cells.iter_mut().zip(&mut carried) {
-        match motion::carry(pair, 0.0, cell.state, pair.parameters.mesh_period(), tolerance) {
-            Ok(reached) => {
-                cell.state = reached.state;
-                if reached.escaped.is_some() {
-                    *carried = Carried::Escaped;
-                }
-            }
-            Err(_) => *carried = Carried::Failed,
+        let Ok(reached) = motion::carry(pair, 0.0, cell.state, pair.parameters.mesh_period(), tolerance)
+        else {
+            steps += FAILED;
+            *carried = Carried::Failed;
+            continue;
+        };
+        cell.state = reached.state;
+        steps += reached.steps;
+        if reached.escaped.is_some() {
+            *carried = Carried::Escaped;
         }
     }
-    carried
+    (carried, steps)
 }
