@@ -5,7 +5,7 @@ mod common;
 use common::{numbers, reference};
 use gear_bifurcations::model::parameters::Parameters;
 use gear_bifurcations::study::multipliers::multipliers;
-use gear_bifurcations::study::tongue::{Tongue, tongue_edges};
+use gear_bifurcations::study::tongue::{EdgeKind, Tongue, tongue_edges};
 use gear_bifurcations::study::tongue_boundary::tongue_boundary;
 
 fn damped(k0: f64, zeta: f64) -> Parameters {
@@ -45,7 +45,7 @@ fn edges_agree_to_1e_9_and_closed_tongues_are_closed() {
             let (own_left, own_right) = (found.left.expect("open"), found.right.expect("open"));
             worst = worst.max((own_left - left).abs()).max((own_right - right).abs());
             let kind = reference_kind(expected["type"].as_str().expect("a word"));
-            assert_eq!(found.kind.expect("open").map(|kind| kind.name()), [kind, kind], "{key} {name}");
+            assert_eq!(found.kind.expect("open").map(EdgeKind::name), [kind, kind], "{key} {name}");
             let near = tongue_edges(&p, Tongue::Near(0.5 * (left + right)), 1e-10).expect("found");
             let near = (near.left.expect("open") - left).abs().max((near.right.expect("open") - right).abs());
             worst = worst.max(near);
@@ -68,7 +68,7 @@ fn other_tongues_are_found_near_a_frequency() {
                 (found.left.expect("open") - edge(0)).abs().max((found.right.expect("open") - edge(1)).abs());
             assert!(off < 1e-9, "{found:?}");
             let kinds = [0, 1].map(|index| reference_kind(pair[index]["type"].as_str().expect("a word")));
-            assert_eq!(found.kind.expect("open").map(|kind| kind.name()), kinds);
+            assert_eq!(found.kind.expect("open").map(EdgeKind::name), kinds);
         }
     }
 }
