@@ -181,7 +181,7 @@ pub struct Branch {
 }
 
 /// Steps granted to one branch: some seconds.
-const STEPS: usize = 1_000_000;
+const STEPS: usize = 600_000;
 /// Longest step of all, over the scales.
 const LONGEST_STEP: f64 = 0.06;
 /// Length of the last correction of a point, over the scales, at the default tolerance.

@@ -83,7 +83,7 @@ pub struct DiagramWork {
 }
 
 /// Steps granted to a diagram: some seconds.
-const STEPS: usize = 4_000_000;
+const STEPS: usize = 1_500_000;
 /// Steps of one slice of work: about ten milliseconds.
 const SLICE: usize = 5_000;
 /// Points of a branch each way.
@@ -138,10 +138,13 @@ impl DiagramWork {
     /// None at present: what cannot be followed is an end of its branch.
     pub fn advance(&mut self) -> Result<bool, StudyError> {
         let until = self.family.budget().saturating_sub(SLICE);
-        while !self.done && self.family.budget() > until {
+        // At least once, so that it comes to an end when nothing of the work allowed is left.
+        loop {
             self.next();
+            if self.done || self.family.budget() <= until {
+                return Ok(self.done);
+            }
         }
-        Ok(self.done)
     }
 
     fn next(&mut self) {
