@@ -102,7 +102,7 @@ fn chart(p: &Parameters) -> Result<f64, StudyError> {
 
 /// A branch of about 200 points: tongue 2, from its right edge over the fold.
 fn branch_of_200(p: &Parameters) -> Result<(f64, usize), StudyError> {
-    let options = BranchOptions { points: 178, tolerance: 1e-8, ..BranchOptions::new([1.27, 1.8], 2) };
+    let options = BranchOptions { points: 190, tolerance: 1e-8, ..BranchOptions::new([1.27, 1.8], 2) };
     let branch = branch(p, &options)?;
     Ok((branch.max_u_p.iter().chain(branch.re.iter().flatten()).sum(), branch.value.len()))
 }
