@@ -64,7 +64,7 @@ fn no_curve_band_or_cloud_leaves_its_frame() {
                 let points = match call {
                     Call::Path { points, .. } | Call::Cloud { points, .. } => points.clone(),
                     Call::Polygon { corners } => corners.clone(),
-                    Call::Rectangle { corners } => corners.to_vec(),
+                    Call::Rectangle { corners } | Call::Image { corners, .. } => corners.to_vec(),
                     Call::Circle { .. } | Call::Letters { .. } => continue,
                 };
                 if series.mark == Mark::Marks {
@@ -100,6 +100,60 @@ fn no_word_is_cut_off_and_none_lies_over_another() {
             }
         }
     }
+}
+
+#[test]
+fn a_field_is_painted_where_its_numbers_are_and_its_bar_beside_the_plot() {
+    let drawing = demonstration::field();
+    let (maps, calls) = recorded(&drawing, (700.0, 420.0), 100);
+    let [left, top, right, bottom] = maps[0].plot;
+    let image = calls.iter().find_map(|(owner, call)| match call {
+        Call::Image { columns, pixels, corners } => {
+            assert_eq!(owner.as_deref(), Some("growth"));
+            Some((*columns, pixels.clone(), *corners))
+        }
+        _ => None,
+    });
+    let (columns, pixels, [upper, lower]) = image.expect("an image");
+    assert!(upper[0] >= left && upper[1] >= top && lower[0] <= right && lower[1] <= bottom);
+    // The number grows to the right and upwards, and is nothing in the left half.
+    let rows = pixels.len() / columns;
+    let at = |column: usize, row: usize| pixels[row * columns + column];
+    assert_eq!(at(columns / 4, rows / 2), 255, "clear");
+    assert!(at(columns - 1, 0) > at(columns - 1, rows - 1), "more at the top");
+    assert!(at(columns - 1, 0) > at(columns * 6 / 10, 0), "more at the right");
+    let bar: Vec<f64> = calls
+        .iter()
+        .filter_map(|(owner, call)| match (owner, call) {
+            (None, Call::Rectangle { corners }) if corners[0][0] > right => Some(corners[1][0]),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(bar.len(), 64, "one rectangle a shade");
+    assert!(bar.iter().all(|right| *right < 700.0));
+}
+
+#[test]
+fn quasi_periodic_lines_carry_open_circles_and_every_mark_is_drawn() {
+    let drawing = demonstration::field();
+    let (_, calls) = recorded(&drawing, (700.0, 420.0), 100);
+    let of = |name: &str| calls.iter().filter(|(owner, _)| owner.as_deref() == Some(name)).count();
+    let circles = calls
+        .iter()
+        .filter(|(owner, call)| owner.as_deref() == Some("torus") && matches!(call, Call::Circle { .. }))
+        .count();
+    assert!(circles > 20, "{circles} circles along the line");
+    for name in ["fold", "torus point", "across"] {
+        assert!(of(name) >= 2, "{name}");
+    }
+}
+
+#[test]
+fn a_field_whose_grid_does_not_fit_is_refused() {
+    let mut drawing = demonstration::field();
+    drawing.series[0].z.pop();
+    let refused = svg(&drawing, "", "", (400.0, 300.0), &light(), &View::default());
+    assert!(matches!(refused, Err(ChartError::Malformed { name, .. }) if name == "growth"));
 }
 
 #[test]

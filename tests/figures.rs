@@ -3,7 +3,9 @@
 
 use gear_bifurcations::chart::drawing::{Drawing, Mark, Role, Series};
 use gear_bifurcations::error::{FigureError, ModelError, StudyError};
-use gear_bifurcations::figures::{Figure, Job, Preset, at_time, figure, specification, specifications};
+use gear_bifurcations::figures::{
+    Entry, Figure, Job, Preset, at_time, figure, specification, specifications,
+};
 use gear_bifurcations::model::parameters::{Parameters, Regime, Symmetric, Value, info};
 use gear_bifurcations::study::orbit::{OrbitOptions, periodic_orbit};
 use gear_bifurcations::theory::{self, Mode, Modes, combination, damped, primary};
@@ -50,7 +52,11 @@ fn check(figure: &Figure) {
         let frame = &drawing.frames[series.frame];
         let depth = if frame.z.is_some() { series.x.len() } else { 0 };
         assert!(!series.x.is_empty(), "{id}: {:?} is empty", series.name);
-        assert_eq!((series.y.len(), series.z.len()), (series.x.len(), depth), "{id}: {:?}", series.name);
+        if series.mark == Mark::Field {
+            assert_eq!(series.z.len(), series.x.len() * series.y.len(), "{id}: {:?}", series.name);
+        } else {
+            assert_eq!((series.y.len(), series.z.len()), (series.x.len(), depth), "{id}: {:?}", series.name);
+        }
         let all = series.x.iter().chain(&series.y).chain(&series.z);
         assert!(all.copied().all(f64::is_finite), "{id}: {:?} is not finite", series.name);
         assert!(series.pieces.windows(2).all(|pair| pair[0] < pair[1]), "{id}: {:?}", series.name);
@@ -69,7 +75,7 @@ fn check(figure: &Figure) {
 #[test]
 fn every_figure_is_whole_with_its_preset() {
     let ids: Vec<&str> = specifications().iter().map(|specification| specification.id).collect();
-    let expected = "1 2 3 4 5 6 7 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c 14a 14b";
+    let expected = "1 2 3 4 5 6 7 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c 14a 14b T B M S L A E";
     assert_eq!(ids.join(" "), expected);
     for specification in specifications() {
         let figure = made(specification.id, &[]);
@@ -261,8 +267,11 @@ fn the_whole_diagram_leans_with_the_supports() {
             assert!(role * (last - first) > 0.0, "{id}: {name} from {first} to {last}");
             assert_eq!(branch.y[0], 0.0);
         }
-        let super_stars = with_role(&figure.drawing, Role::Supercritical).count();
-        let sub_stars = with_role(&figure.drawing, Role::Subcritical).count();
+        // Those of the formulas; the exact branches have marks of their own.
+        let stars = |role: Role| {
+            with_role(&figure.drawing, role).filter(|series| series.name.contains(" of R_")).count()
+        };
+        let (super_stars, sub_stars) = (stars(Role::Supercritical), stars(Role::Subcritical));
         assert_eq!((super_stars, sub_stars), (5, 5), "two pitchforks twice and a Hopf point on either side");
     }
 }
@@ -430,7 +439,8 @@ fn extremes(name: &str, whole: bool) -> Vec<f64> {
 #[test]
 fn no_slider_breaks_a_figure_of_formulas() {
     for specification in specifications() {
-        if specification.heavy {
+        // Figure T is integrated as well, if quickly: its sliders are tried with those of the others.
+        if specification.heavy || specification.id == "T" {
             continue;
         }
         for name in specification.parameters {
@@ -448,7 +458,7 @@ fn no_slider_breaks_a_figure_of_formulas() {
 
 #[test]
 fn no_slider_breaks_a_figure_that_is_integrated() {
-    for id in ["1", "14a", "14b", "8", "11a", "12b", "13c"] {
+    for id in ["1", "14a", "14b", "8", "11a", "12b", "13c", "T", "M", "L"] {
         let specification = specification(id).expect("known");
         for name in specification.parameters {
             for value in extremes(name, false) {
@@ -460,6 +470,141 @@ fn no_slider_breaks_a_figure_that_is_integrated() {
             }
         }
     }
+}
+
+#[test]
+fn the_chart_of_tongues_holds_the_exact_edges() {
+    // tests/reference/tongue_edges.json, k0 = 0.5, zeta = 0.02.
+    let figure = made("T", &[]);
+    for (name, left, right) in [
+        ("second mode period-doubling", 1.458_961_187_166_879, 1.694_651_839_393_933),
+        ("combination neimark-sacker", 3.280_006_321_482_296, 3.786_556_072_561_84),
+        ("third mode period-doubling", 5.219_898_701_370_242_5, 5.598_863_224_076_081),
+    ] {
+        let boundary = series(&figure.drawing, name);
+        let crossings: Vec<f64> = (1..boundary.x.len())
+            .filter(|&at| (boundary.y[at - 1] - 0.5) * (boundary.y[at] - 0.5) < 0.0)
+            .map(|at| {
+                let part = (0.5 - boundary.y[at - 1]) / (boundary.y[at] - boundary.y[at - 1]);
+                boundary.x[at - 1] + part * (boundary.x[at] - boundary.x[at - 1])
+            })
+            .collect();
+        assert_eq!(crossings.len(), 2, "{name}: {crossings:?}");
+        // Straight between two points of the curve.
+        assert!(
+            (crossings[0] - left).abs() < 2e-3 && (crossings[1] - right).abs() < 2e-3,
+            "{name}: {crossings:?}"
+        );
+    }
+    let field = series(&figure.drawing, "growth");
+    assert_eq!(field.mark, Mark::Field);
+    let at = |omega: f64, k0: f64| {
+        let nearest = |places: &[f64], wanted: f64| {
+            let off = |index: &usize| (places[*index] - wanted).abs();
+            (0..places.len()).min_by(|one, other| off(one).total_cmp(&off(other))).expect("places")
+        };
+        field.z[nearest(&field.y, k0) * field.x.len() + nearest(&field.x, omega)]
+    };
+    assert!(at(1.6, 0.5) > 0.04 && at(2.2, 0.5) < 0.0 && at(3.5, 0.5) > 0.03);
+    let bar = figure.drawing.frames[0].bar.as_ref().expect("a bar says what the shades mean");
+    assert!(field.z.iter().all(|rate| *rate <= bar.high * (1.0 + 1e-12)));
+}
+
+#[test]
+fn the_table_of_errata_is_computed_and_its_numbers_are_those_of_the_reference() {
+    let figure = made("E", &[]);
+    let row = |place: &str| {
+        let found = figure.table.iter().find(|row| row.place == place);
+        found.unwrap_or_else(|| panic!("no row {place}"))
+    };
+    let near = |entry: &Entry, expected: f64, tolerance: f64, what: &str| {
+        let number = entry.number().unwrap_or_else(|| panic!("{what}: {entry:?}"));
+        assert!((number - expected).abs() < tolerance, "{what}: {number} for {expected}");
+    };
+    // tests/reference/modes_and_tongues.json.
+    for (place, printed, ours) in [
+        ("(56)", 0.268_978_505_800_801_5, 0.268_978_505_800_801_5),
+        ("(82)", 0.472_340_035_220_087_6, 0.472_340_035_220_087_6),
+        ("(105)", 0.401_317_174_595_744_3, 0.356_439_780_192_106_4),
+    ] {
+        near(&row(place).printed, printed, 1e-12, place);
+        near(&row(place).ours, ours, 1e-12, place);
+        near(&row(place).exact, ours, 2e-8, place);
+    }
+    near(&row("Fig. 11 c").exact, 1.851_530_408_351_971_5, 1e-5, "the exact orbit of figure 11 c");
+    near(&row("Fig. 14 a").exact, 4.9618, 1e-3, "the exact orbit of figure 14 a");
+    assert!(figure.table.iter().all(|row| !row.place.is_empty() && !row.remark.is_empty()));
+}
+
+#[test]
+fn the_exact_diagram_marks_every_bifurcation_at_its_place() {
+    let figure = made("B", &[]);
+    let has = |role: Role, omega: f64| {
+        with_role(&figure.drawing, role).any(|series| series.x.iter().any(|x| (x - omega).abs() < 1e-6))
+    };
+    // tests/reference/orbit_branch.json.
+    assert!(has(Role::Supercritical, 1.694_651_839) && has(Role::TorusBifurcation, 1.619_717_349));
+    assert!(has(Role::Fold, 1.279_211_051) && has(Role::AcrossManifold, 1.531_079_295));
+    assert!(has(Role::Subcritical, 1.458_961_187));
+    let steady = series(&figure.drawing, "exact 1 unstable");
+    assert!(
+        steady.x.iter().any(|x| (x - 1.694_651_839).abs() < 1e-6),
+        "it changes at the bifurcation itself"
+    );
+    assert!(with_role(&figure.drawing, Role::QuasiPeriodic).next().is_some(), "tori are drawn");
+}
+
+#[test]
+fn starts_of_figure_11_c_end_at_its_two_nodes_or_escape() {
+    let figure = made("A", &[]);
+    let field = with_role(&figure.drawing, Role::Basins).next().expect("a field");
+    let share =
+        |wanted: f64| field.z.iter().filter(|value| **value == wanted).count() as f64 / field.z.len() as f64;
+    // The plane is its own mirror image, and so is each node's basin the other's.
+    assert!((share(0.0) - share(1.0)).abs() < 1e-3 && share(0.0) > 0.1, "{} {}", share(0.0), share(1.0));
+    assert!(share(-1.0) > 0.4 && share(-2.0) < 0.01);
+    let nodes: Vec<f64> =
+        with_role(&figure.drawing, Role::Attractor).map(|series| series.x[0].abs()).collect();
+    assert_eq!(nodes.len(), 2);
+    assert!(nodes.iter().all(|u_p| (u_p - 1.849_275_392).abs() < 1e-7), "{nodes:?}");
+}
+
+#[test]
+fn the_least_load_is_high_in_the_tongues_and_the_margin_is_told() {
+    let figure = made("L", &[]);
+    assert!(figure.summary.contains("contact is kept"), "{}", figure.summary);
+    let load = series(&figure.drawing, "load");
+    let within = |low: f64, high: f64| {
+        let inside = load.x.iter().zip(&load.y).filter(|(x, _)| (low..=high).contains(*x)).map(|(_, y)| *y);
+        inside.fold(0.0_f64, f64::max)
+    };
+    assert!(within(1.5, 1.65) > 4.0 * within(1.8, 3.2), "{} {}", within(1.5, 1.65), within(1.8, 3.2));
+    let lost = made("L", &[("F", 0.02)]);
+    assert!(lost.summary.contains("contact is lost"), "{}", lost.summary);
+}
+
+#[test]
+fn raised_and_lowered_the_pair_does_different_things_beside_a_tongue() {
+    let figure = made("S", &[]);
+    assert!(figure.summary.contains("depends on where it comes from"), "{}", figure.summary);
+    // Below the third tongue's left edge, 5.2199, the stable branch of the orbit of period 2T coexists with rest.
+    let most = |name: &str| {
+        let points = series(&figure.drawing, name);
+        let inside =
+            points.x.iter().zip(&points.y).filter(|(x, _)| (4.9..5.1).contains(*x)).map(|(_, y)| y.abs());
+        inside.fold(0.0_f64, f64::max)
+    };
+    assert!(most("up") < 0.05 && most("down") > 2.0, "{} {}", most("up"), most("down"));
+}
+
+#[test]
+fn multipliers_at_the_handle_are_the_reference() {
+    let figure = made("M", &[]);
+    let present = series(&figure.drawing, "present");
+    assert!(present.x.iter().any(|re| (re + 1.240_390_880_093_412).abs() < 1e-9), "{:?}", present.x);
+    let grows = series(&figure.drawing, "magnitude 1 growing");
+    let most = grows.y.iter().fold(0.0_f64, |most, modulus| most.max(*modulus));
+    assert!(most > 1.24 && grows.y.iter().filter(|modulus| **modulus <= 1.0).count() < 8, "{most}");
 }
 
 #[test]

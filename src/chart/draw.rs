@@ -1,6 +1,7 @@
 //! The whole picture: ground, axes, series, labels, frame by frame.
 
 use super::axes::draw_axes;
+use super::bar::draw_bar;
 use super::drawing::{Drawing, Mark, Series};
 use super::geometry::Rect;
 use super::labels::{Anchor, Crowd, Request, place};
@@ -90,12 +91,15 @@ fn draw_frame<S: Surface>(
         .z
         .as_ref()
         .map(|z| Projection::new([&frame.x, &frame.y, z], &panel.plot, panel.sizes.tick, view));
-    let context = Context { theme, plot: panel.plot, mark: panel.sizes.mark };
+    let context = Context { theme, plot: panel.plot, mark: panel.sizes.mark, bar: frame.bar.as_ref() };
     let anchors = if let Some(projection) = &solid {
         draw_box(painter, frame, panel, projection, theme)?;
         draw_solid(painter, own, projection, &context, &mut crowd)?
     } else {
         draw_axes(painter, frame, panel, theme)?;
+        if let Some(bar) = &panel.bar {
+            draw_bar(painter, bar, panel, theme)?;
+        }
         let map = panel.map(frame);
         let mut anchors = Vec::with_capacity(own.len());
         for series in own {

@@ -25,6 +25,9 @@ pub struct Frame {
     pub x: Axis,
     /// Vertical axis (for a 3-D frame: the second horizontal one).
     pub y: Axis,
+    /// Scale of the fields in a plane frame, drawn as a bar of colours beside it: up to `low` nothing is painted, from
+    /// `high` on everything alike.
+    pub bar: Option<Axis>,
     /// Third axis: with it the frame is a 3-D view, `z` upwards, turned by the view's azimuth and elevation.
     pub z: Option<Axis>,
     /// First cell in the grid (column, row) from the upper left.
@@ -73,7 +76,7 @@ pub struct Series {
     pub x: Vec<f64>,
     /// Second coordinate of each point.
     pub y: Vec<f64>,
-    /// Third coordinate: empty in a plane frame.
+    /// Third coordinate: empty in a plane frame. For a [`Mark::Field`] the numbers over the grid of `x` and `y`.
     pub z: Vec<f64>,
     /// Index at which each separate piece of a curve begins, rising; empty: one piece.
     pub pieces: Vec<usize>,
@@ -94,6 +97,9 @@ pub enum Mark {
     Band,
     /// One point: the label is written there.
     Text,
+    /// Numbers over a grid, painted as an image: `x` holds the places of the columns, `y` those of the rows, both evenly
+    /// spaced and rising, `z` a number for each column of the first row, then of the next.
+    Field,
 }
 
 /// What a series is; its look follows from this, from `stable` and from the theme.
@@ -143,4 +149,18 @@ pub enum Role {
     IntervalSaddle,
     /// An interval of a scale, unstable spiral: orange band.
     IntervalSpiral,
+    /// Exact quasi-periodic motion: as [`Role::Exact`], with small open circles along the line.
+    QuasiPeriodic,
+    /// A fold of a branch: filled triangle.
+    Fold,
+    /// A torus (Neimark-Sacker) bifurcation: open diamond.
+    TorusBifurcation,
+    /// A bifurcation across the manifold on which the branch lies: cross.
+    AcrossManifold,
+    /// A field of growth rates: the ramp of the frame's bar, nothing where nothing grows.
+    Growth,
+    /// A field of whole numbers, one a region (basin of attraction); -1: escapes, below: not known yet.
+    Basins,
+    /// What is found while a parameter falls, beside the same while it rises ([`Role::Attractor`]): small, dark.
+    Downward,
 }

@@ -1,5 +1,6 @@
 //! Where each frame's plot lies: cells of the grid, and margins as wide as the words in them need.
 
+use super::bar::Bar;
 use super::drawing::{Drawing, Frame};
 use super::geometry::{PlaneMap, Rect};
 use super::metrics::Face;
@@ -73,6 +74,8 @@ pub struct Panel {
     pub y_label: SideLabel,
     /// Where the label of the vertical axis begins.
     pub y_label_left: f64,
+    /// The bar of colours beside the plot.
+    pub bar: Option<Bar>,
     /// Font sizes.
     pub sizes: Sizes,
 }
@@ -200,6 +203,7 @@ fn first_guess(frame: &Frame, cell: Rect, sizes: Sizes) -> Panel {
         x_label: set(&frame.x.label, sizes.label, Face::Regular),
         y_label,
         y_label_left: cell.left,
+        bar: None,
         sizes,
     }
 }
@@ -228,7 +232,7 @@ fn margins(frame: &Frame, panel: &Panel) -> [f64; 4] {
             map.pixel(*value, frame.y.low)[0] + set(text, sizes.tick, Face::Regular).width / 2.0
                 - panel.plot.right
         });
-    [left, top, overhang.max(4.0), bottom]
+    [left, top, overhang.max(panel.bar.as_ref().map_or(4.0, Bar::room)), bottom]
 }
 
 fn settle(drawing: &Drawing, arrangement: &Arrangement, panels: &mut [Panel]) {
@@ -265,6 +269,8 @@ fn settle(drawing: &Drawing, arrangement: &Arrangement, panels: &mut [Panel]) {
             panel.x_ticks = across(frame.x.low, frame.x.high, panel.plot.width(), sizes.tick);
             let most = (panel.plot.height() / (2.7 * sizes.tick)) as usize;
             panel.y_ticks = ticks(frame.y.low, frame.y.high, most.clamp(2, 8));
+            panel.bar =
+                frame.bar.as_ref().map(|axis| Bar::new(axis, panel.plot.height(), sizes.tick, sizes.label));
             panel.x_label = fitted(&frame.x.label, sizes.label, cell.width());
             if let SideLabel::Upwards(label) = &mut panel.y_label {
                 *label = fitted(&frame.y.label, sizes.label, panel.plot.height());
@@ -333,6 +339,7 @@ mod tests {
                 title: "a title of several words".into(),
                 x: axis("*Ω*_{1}"),
                 y: axis("a long label of a vertical axis"),
+                bar: None,
                 z: None,
                 cell: (i % columns, i / columns),
                 span: (1, 1),

@@ -6,21 +6,26 @@
 //! | [`theme`] | how each meaning looks |
 //! | [`surface`], [`svg`](mod@svg) | what a backend must offer; the one that writes SVG |
 //! | [`draw`](mod@draw), `layout`, `axes`, `series`, `three_d`, `labels`, `marks` | the picture and its parts |
+//! | `field`, `ramp`, `bar`, `png` | fields as images, their colours, and the bar that explains them |
 //! | [`clip`], [`decimate`], [`dash`], [`ticks`], [`text`], [`metrics`], [`cloud`] | what they compute with |
 
 mod axes;
+mod bar;
 pub mod clip;
 pub mod cloud;
 pub mod dash;
 pub mod decimate;
 pub mod draw;
 pub mod drawing;
+mod field;
 mod geometry;
 mod labels;
 mod layout;
 mod marks;
 pub mod metrics;
 mod painter;
+mod png;
+mod ramp;
 mod series;
 pub mod surface;
 pub mod svg;

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use plotters_backend::BackendCoord;
 
 use super::geometry::Rect;
-use super::surface::{Cloud, Lettering, Stroke, Surface};
+use super::surface::{Cloud, Image, Lettering, Stroke, Surface};
 use super::text::Label;
 use super::theme::Color;
 use crate::error::ChartError;
@@ -160,6 +160,20 @@ impl<'a, S: Surface> Painter<'a, S> {
         let points: Vec<BackendCoord> = points.iter().map(|point| self.at(*point)).collect();
         let diameter = self.length(diameter);
         self.surface.cloud(&Cloud { points: &points, diameter, color: color.backend(alpha) }).map_err(failed)
+    }
+
+    /// Paints an image over an area.
+    ///
+    /// # Errors
+    /// What the backend fails with.
+    pub fn image(&mut self, image: &Image<'_>, area: &Rect) -> Result<(), ChartError> {
+        let (upper, lower) = (self.at([area.left, area.top]), self.at([area.right, area.bottom]));
+        self.surface.image(image, upper, lower).map_err(failed)
+    }
+
+    /// Side of an image's pixel that suits the surface, CSS pixels.
+    pub fn image_pixel(&self) -> f64 {
+        self.surface.image_pixel().max(0.1)
     }
 
     /// Sets a label on a baseline, with a rim of another colour if one is given.

@@ -3,7 +3,8 @@
 use super::clip::{clip_polygon, clip_polyline, clip_segment};
 use super::dash::dashes;
 use super::decimate::decimate;
-use super::drawing::{Drawing, Mark, Role, Series};
+use super::drawing::{Axis, Drawing, Mark, Role, Series};
+use super::field::draw_field;
 use super::geometry::{PlaneMap, Rect};
 use super::labels::{Anchor, Crowd};
 use super::marks::draw_mark;
@@ -15,6 +16,8 @@ use crate::error::ChartError;
 
 /// Distance between the lines of the hatch, CSS pixels.
 const HATCH: f64 = 7.0;
+/// Distance of the open circles along a quasi-periodic line, CSS pixels.
+const BEADS: f64 = 13.0;
 /// Length of the stretches of a curve that are sorted by depth, CSS pixels.
 const STRETCH: f64 = 16.0;
 
@@ -26,6 +29,8 @@ pub struct Context<'a> {
     pub plot: Rect,
     /// Size of marks over their usual one.
     pub mark: f64,
+    /// Scale of the frame's fields.
+    pub bar: Option<&'a Axis>,
 }
 
 impl Context<'_> {
@@ -43,7 +48,9 @@ pub fn check(drawing: &Drawing) -> Result<(), ChartError> {
     let malformed =
         |name: &str, fault: &'static str| Err(ChartError::Malformed { name: name.to_owned(), fault });
     for frame in &drawing.frames {
-        for axis in [Some(&frame.x), Some(&frame.y), frame.z.as_ref()].into_iter().flatten() {
+        for axis in
+            [Some(&frame.x), Some(&frame.y), frame.z.as_ref(), frame.bar.as_ref()].into_iter().flatten()
+        {
             if !(axis.high - axis.low).is_finite() {
                 return Err(ChartError::NotFinite { name: axis.name.clone() });
             }
@@ -61,7 +68,11 @@ pub fn check(drawing: &Drawing) -> Result<(), ChartError> {
             return malformed(&series.name, "its frame does not exist");
         };
         let count = series.x.len();
-        if series.y.len() != count || (frame.z.is_some() && series.z.len() != count) {
+        if series.mark == Mark::Field {
+            if frame.z.is_some() || count * series.y.len() != series.z.len() || count == 0 {
+                return malformed(&series.name, "its grid and its numbers do not belong together");
+            }
+        } else if series.y.len() != count || (frame.z.is_some() && series.z.len() != count) {
             return malformed(&series.name, "its columns differ in length");
         }
         let ordered = series.pieces.windows(2).all(|pair| pair[0] <= pair[1]);
@@ -103,6 +114,10 @@ pub fn draw_plane<S: Surface>(
     context: &Context<'_>,
     crowd: &mut Crowd,
 ) -> Result<Option<Anchor>, ChartError> {
+    if series.mark == Mark::Field {
+        draw_field(painter, series, context.bar, map, context.theme)?;
+        return Ok(None);
+    }
     let pixels: Vec<[f64; 2]> = series.x.iter().zip(&series.y).map(|(&x, &y)| map.pixel(x, y)).collect();
     if !pixels.iter().flatten().all(|value| value.is_finite()) {
         return Err(ChartError::NotFinite { name: series.name.clone() });
@@ -120,6 +135,12 @@ pub fn draw_plane<S: Surface>(
                 None => visible.clone(),
             };
             painter.strokes(&lines, look.stroke, look.width, 1.0)?;
+            if series.role == Role::QuasiPeriodic {
+                for center in visible.iter().flat_map(|piece| beads(piece)) {
+                    painter.disc(center, look.radius, context.theme.ground)?;
+                    painter.circle(center, look.radius - 0.45, look.stroke, 0.9)?;
+                }
+            }
             for piece in &visible {
                 crowd.add_line(piece);
             }
@@ -164,7 +185,26 @@ pub fn draw_plane<S: Surface>(
             Anchor::Area(area, series.label_at)
         }),
         Mark::Text => wanted.map(Anchor::Place),
+        Mark::Field => None,
     })
+}
+
+/// Places along a line for the open circles that tell quasi-periodic motion: evenly spaced, the first half a space from
+/// the begin.
+fn beads(line: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut places = Vec::new();
+    let mut ahead = BEADS / 2.0;
+    for pair in line.windows(2) {
+        let (from, to) = (pair[0], pair[1]);
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        while ahead <= length && length > 0.0 {
+            let t = ahead / length;
+            places.push([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
+            ahead += BEADS;
+        }
+        ahead -= length;
+    }
+    places
 }
 
 /// Single marks: many small ones at once as a cloud of larger dots, others one by one.
@@ -176,7 +216,7 @@ fn draw_marks<S: Surface>(
     theme: &Theme,
     crowd: &mut Crowd,
 ) -> Result<(), ChartError> {
-    if series.role == Role::Trajectory {
+    if matches!(series.role, Role::Trajectory | Role::Downward) {
         painter.cloud(seen, 2.0 * look.radius, look.stroke, 1.0)?;
         for &point in seen {
             crowd.add_point(point);
@@ -195,6 +235,7 @@ fn draw_marks<S: Surface>(
 fn cloud_diameter(role: Role) -> f64 {
     match role {
         Role::Attractor | Role::Exact => 2.4,
+        Role::Downward => 1.1,
         _ => 1.7,
     }
 }
@@ -307,7 +348,7 @@ pub fn draw_solid<S: Surface>(
                 wanted.filter(within).map(|at| Anchor::Mark(projection.pixel(&at), look.radius))
             }
             Mark::Text => wanted.map(|at| Anchor::Place(projection.pixel(&at))),
-            Mark::Band => None,
+            Mark::Band | Mark::Field => None,
         };
         anchors.push(anchor);
     }

@@ -11,6 +11,7 @@ use plotters_backend::{
 
 use super::metrics::{ASCENT, DESCENT, Face, width};
 use super::text::Run;
+use super::theme::Color;
 
 /// Units in a CSS pixel that our own surfaces use.
 pub const UNITS: i32 = 100;
@@ -58,6 +59,16 @@ pub struct Cloud<'a> {
     pub color: BackendColor,
 }
 
+/// An image of few colours.
+pub struct Image<'a> {
+    /// The place of each pixel's colour in `colors`, row by row from the top; one beyond them: not painted.
+    pub pixels: &'a [u8],
+    /// Pixels in a row.
+    pub columns: usize,
+    /// The colours, at most 255.
+    pub colors: &'a [Color],
+}
+
 /// A plotters backend with finer coordinates and what figures need beyond plotters' trait.
 pub trait Surface: DrawingBackend {
     /// How many units of the backend's coordinates make one CSS pixel; at least 1.
@@ -74,6 +85,22 @@ pub trait Surface: DrawingBackend {
     /// # Errors
     /// What the backend fails with.
     fn cloud(&mut self, cloud: &Cloud<'_>) -> Result<(), DrawingErrorKind<Self::ErrorType>>;
+
+    /// Paints an image over the rectangle between two corners, units.
+    ///
+    /// # Errors
+    /// What the backend fails with.
+    fn image(
+        &mut self,
+        image: &Image<'_>,
+        upper_left: BackendCoord,
+        lower_right: BackendCoord,
+    ) -> Result<(), DrawingErrorKind<Self::ErrorType>>;
+
+    /// Side of an image's pixel that suits this surface, CSS pixels.
+    fn image_pixel(&self) -> f64 {
+        1.0
+    }
 
     /// Strokes many lines of one style; a surface may make one path of them.
     ///

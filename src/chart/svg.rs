@@ -8,7 +8,8 @@ use plotters_backend::{
 };
 
 use super::metrics::{FAMILY, Face};
-use super::surface::{Cloud, Lettering, Stroke, Surface, UNITS, plain_size, set_plain};
+use super::png::data_address;
+use super::surface::{Cloud, Image, Lettering, Stroke, Surface, UNITS, plain_size, set_plain};
 use crate::error::ChartError;
 
 /// Least and greatest side of a picture, CSS pixels.
@@ -294,6 +295,28 @@ impl Surface for SvgSurface {
             "<path d=\"{data}\"{look} stroke-width=\"{width}\" stroke-linecap=\"round\"/>"
         ));
         Ok(())
+    }
+
+    fn image(
+        &mut self,
+        image: &Image<'_>,
+        (left, top): BackendCoord,
+        (right, bottom): BackendCoord,
+    ) -> Outcome {
+        self.element(&format!(
+            "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" href=\"{}\"/>",
+            number(left),
+            number(top),
+            number(right - left),
+            number(bottom - top),
+            data_address(image)
+        ));
+        Ok(())
+    }
+
+    fn image_pixel(&self) -> f64 {
+        // A little less fine than the screen: the text stays short, and the curves over a field are sharp all the same.
+        1.25
     }
 
     fn open(&mut self, name: &str, meaning: &str) {

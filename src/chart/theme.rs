@@ -225,7 +225,25 @@ impl Theme {
             Role::IntervalStable => area(self.blue, 0.16),
             Role::IntervalSaddle => area(self.vermilion, 0.14),
             Role::IntervalSpiral => Look { stroke: self.orange.text, ..area(self.orange, 0.24) },
+            Role::QuasiPeriodic => {
+                Look { radius: 2.3, ..plain(if unstable { self.vermilion } else { self.blue }, 1.6) }
+            }
+            Role::Fold => mark(ink, Shape::Triangle, 5.6, None),
+            Role::TorusBifurcation => mark(ink, Shape::Diamond, 5.8, None),
+            Role::AcrossManifold => mark(ink, Shape::Cross, 5.2, None),
+            Role::Growth | Role::Basins => area(ink, 1.0),
+            Role::Downward => Look { dash: None, radius: 2.2, opacity: 0.9, ..plain(ink, 1.0) },
         }
+    }
+
+    /// Whether it is dark on light.
+    pub fn is_light(&self) -> bool {
+        self.ground.luminance() > self.ink.luminance()
+    }
+
+    /// The colour of the region whose starts escape.
+    pub fn escaped(&self) -> Color {
+        self.neutral.mark.over(self.ground, 0.45)
     }
 
     /// A colour moved towards the ink, so that it can edge an area of itself.
@@ -238,7 +256,7 @@ impl Theme {
 mod tests {
     use super::{Color, Look, Role, Theme};
 
-    const ROLES: [Role; 22] = [
+    const ROLES: [Role; 29] = [
         Role::Exact,
         Role::Paper,
         Role::Corrected,
@@ -261,6 +279,13 @@ mod tests {
         Role::IntervalStable,
         Role::IntervalSaddle,
         Role::IntervalSpiral,
+        Role::QuasiPeriodic,
+        Role::Fold,
+        Role::TorusBifurcation,
+        Role::AcrossManifold,
+        Role::Growth,
+        Role::Basins,
+        Role::Downward,
     ];
 
     fn looks(theme: &Theme) -> impl Iterator<Item = (Role, Look)> {
@@ -324,7 +349,7 @@ mod tests {
     #[test]
     fn stability_shows_in_the_line() {
         let light = Theme::by_name("light").unwrap();
-        for role in [Role::Exact, Role::Paper, Role::Corrected, Role::CorrectedSecond] {
+        for role in [Role::Exact, Role::QuasiPeriodic, Role::Paper, Role::Corrected, Role::CorrectedSecond] {
             assert!(light.look(role, Some(true)).dash.is_none());
             assert!(light.look(role, None).dash.is_none());
             assert!(light.look(role, Some(false)).dash.is_some());

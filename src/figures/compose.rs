@@ -20,6 +20,7 @@ pub(super) fn plane(name: &str, title: &str, cell: (usize, usize), x: Axis, y: A
         title: title.to_owned(),
         x,
         y,
+        bar: None,
         z: None,
         cell,
         span: (1, 1),
@@ -32,6 +33,11 @@ impl Composer {
     /// An empty drawing with this grid of columns and rows.
     pub(super) fn new(grid: (usize, usize)) -> Self {
         Self { drawing: Drawing { grid, frames: Vec::new(), series: Vec::new() } }
+    }
+
+    /// More onto a drawing.
+    pub(super) fn on(drawing: Drawing) -> Self {
+        Self { drawing }
     }
 
     /// Adds a frame and answers its index.
@@ -69,6 +75,12 @@ impl Composer {
     /// Adds single marks.
     pub(super) fn marks(&mut self, frame: usize, line: Line, points: Points) {
         self.add(frame, Mark::Marks, line, points);
+    }
+
+    /// Adds a field: the places of its columns and rows, and a number for each column of the first row, then of the
+    /// next.
+    pub(super) fn field(&mut self, frame: usize, line: Line, x: Vec<f64>, y: Vec<f64>, z: Vec<f64>) {
+        self.add(frame, Mark::Field, line, Points { x, y, z, pieces: Vec::new() });
     }
 
     /// Writes words at a point.

@@ -13,6 +13,7 @@
 //! `Omega = omega_3 - omega_2`) the two exchange their characters.
 
 use super::compose::even;
+use super::job::{Figure, Slices};
 use super::tongues::Setting;
 use crate::chart::drawing::Role;
 use crate::error::FigureError;
@@ -145,6 +146,24 @@ enum Stage {
     Done,
 }
 
+impl Slices for ExponentPaths {
+    fn advance(&mut self) -> Result<bool, FigureError> {
+        for _ in 0..SLICE {
+            let Some(omega) = self.waiting.pop() else { break };
+            let sample = self.sample(omega)?;
+            self.samples.push(sample);
+        }
+        if self.waiting.is_empty() {
+            self.next_stage()?;
+        }
+        Ok(self.stage == Stage::Done)
+    }
+
+    fn figure(&self, id: &'static str, parameters: &Parameters) -> Figure {
+        self.picture(id, parameters)
+    }
+}
+
 impl ExponentPaths {
     /// # Errors
     /// Unequal supports.
@@ -184,18 +203,6 @@ impl ExponentPaths {
             error: ErrorEstimate::default(),
             method: String::new(),
         })
-    }
-
-    pub(super) fn advance(&mut self) -> Result<bool, FigureError> {
-        for _ in 0..SLICE {
-            let Some(omega) = self.waiting.pop() else { break };
-            let sample = self.sample(omega)?;
-            self.samples.push(sample);
-        }
-        if self.waiting.is_empty() {
-            self.next_stage()?;
-        }
-        Ok(self.stage == Stage::Done)
     }
 
     fn next_stage(&mut self) -> Result<(), FigureError> {

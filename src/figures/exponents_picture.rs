@@ -15,7 +15,7 @@ use crate::theory::{combination, primary};
 
 impl ExponentPaths {
     /// The picture so far.
-    pub(super) fn figure(&self, id: &'static str, parameters: &Parameters) -> Figure {
+    pub(super) fn picture(&self, id: &'static str, parameters: &Parameters) -> Figure {
         let tracks = self.tracks();
         let mut notes = Vec::new();
         let inside = parameters.omega > self.range.0 && parameters.omega < self.range.1;
@@ -34,14 +34,11 @@ impl ExponentPaths {
             notes.push(format!("{done} frequencies computed, {left} to go."));
         }
         Figure {
-            id,
-            parameters: *parameters,
-            drawing: self.drawing(&tracks, parameters.omega),
             summary: self.summary(parameters.omega),
             method: format!("exact: {}; slow flow: closed formulas [T5], [T6]", self.method),
             error: self.error,
-            motion: None,
             notes,
+            ..Figure::drawn(id, parameters, self.drawing(&tracks, parameters.omega))
         }
     }
 

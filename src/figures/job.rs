@@ -1,16 +1,24 @@
 //! A figure, computed at once or step by step.
 
+use super::basins::Basins;
+use super::branches::Branches;
 use super::compose::Composer;
+use super::errata::Errata;
 use super::exponents::ExponentPaths;
+use super::load::Loads;
+use super::multiplier_paths::MultiplierPaths;
+use super::overall::Overall;
 use super::poincare_map::{self, Map};
 use super::specification::{Specification, specification};
+use super::sweep::Sweeps;
 use super::tongues::Supports;
-use super::{determinant, eigenvalues, hopf, overall, pitchfork, response, schematic};
+use super::{determinant, eigenvalues, hopf, pitchfork, response, schematic, stability};
 use crate::chart::drawing::Drawing;
 use crate::error::FigureError;
 use crate::model::parameters::{Parameters, Value};
 use crate::study::ErrorEstimate;
 use crate::theory::modes::Mode;
+use std::fmt;
 
 /// A computed figure: what is drawn, in what words, by what method.
 #[derive(Clone, Debug)]
@@ -29,8 +37,77 @@ pub struct Figure {
     pub error: ErrorEstimate,
     /// The motion of an animated figure, repeated without end.
     pub motion: Option<Motion>,
+    /// The rows of a figure that is a table.
+    pub table: Vec<Row>,
     /// Remarks for the reader: contact lost, an escape, a tongue that is closed.
     pub notes: Vec<String>,
+}
+
+/// One line of a table that sets what is printed beside what is computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Where it is printed, e.g. `(105)`.
+    pub place: &'static str,
+    /// What it is, in plain words.
+    pub quantity: String,
+    /// As printed.
+    pub printed: Entry,
+    /// As corrected here.
+    pub ours: Entry,
+    /// As the exact system has it.
+    pub exact: Entry,
+    /// How it is known, in plain words.
+    pub remark: &'static str,
+}
+
+/// What stands in a table.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Entry {
+    /// A number, dimensionless.
+    Number(f64),
+    /// Words.
+    Words(&'static str),
+    /// Nothing: there is no such number, or it is not computed yet.
+    Nothing,
+}
+
+impl Entry {
+    /// The number, where it is one.
+    pub fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(number) => Some(*number),
+            Self::Words(_) | Self::Nothing => None,
+        }
+    }
+}
+
+impl From<Option<f64>> for Entry {
+    fn from(number: Option<f64>) -> Self {
+        number.filter(|number| number.is_finite()).map_or(Self::Nothing, Self::Number)
+    }
+}
+
+impl Figure {
+    /// A figure with nothing but its drawing.
+    pub(super) fn drawn(id: &'static str, parameters: &Parameters, drawing: Drawing) -> Self {
+        Self {
+            id,
+            parameters: *parameters,
+            drawing,
+            summary: String::new(),
+            method: String::new(),
+            error: ErrorEstimate::default(),
+            motion: None,
+            table: Vec::new(),
+            notes: Vec::new(),
+        }
+    }
+
+    /// A figure of which nothing is known yet.
+    pub(super) fn waiting(id: &'static str, parameters: &Parameters) -> Self {
+        let empty = Self::drawn(id, parameters, Composer::new((1, 1)).drawing());
+        Self { summary: "Not computed yet.".to_owned(), ..empty }
+    }
 }
 
 /// A stretch of motion: columns of one length, dimensionless.
@@ -60,10 +137,20 @@ enum Work {
     Waiting,
     /// Done.
     Finished(Box<Figure>),
-    /// Figure 8.
-    Exponents(Box<ExponentPaths>),
-    /// Figures 11 to 13.
-    Map(Box<Map>),
+    /// Done step by step.
+    Slices(Box<dyn Slices>),
+}
+
+/// A figure that is computed step by step.
+pub(super) trait Slices: fmt::Debug {
+    /// Does the next slice of the work, some milliseconds; `true` once there is nothing more to do.
+    ///
+    /// # Errors
+    /// What a study or a formula fails with.
+    fn advance(&mut self) -> Result<bool, FigureError>;
+
+    /// The picture so far.
+    fn figure(&self, id: &'static str, parameters: &Parameters) -> Figure;
 }
 
 impl Job {
@@ -75,8 +162,16 @@ impl Job {
         let specification = specification(id)?;
         let parameters = specification.with(given)?;
         let work = match specification.id {
-            "8" => Work::Exponents(Box::new(ExponentPaths::new(&parameters)?)),
-            id if poincare_map::draws(id) => Work::Map(Box::new(Map::new(&parameters))),
+            "9" => Work::Slices(Box::new(Overall::new("9", &parameters, Supports::Hardening)?)),
+            "10" => Work::Slices(Box::new(Overall::new("10", &parameters, Supports::Softening)?)),
+            "A" => Work::Slices(Box::new(Basins::new(&parameters)?)),
+            "L" => Work::Slices(Box::new(Loads::new(&parameters))),
+            "B" => Work::Slices(Box::new(Branches::new(&parameters))),
+            "E" => Work::Slices(Box::new(Errata::new(&parameters)?)),
+            "S" => Work::Slices(Box::new(Sweeps::new(&parameters)?)),
+            "8" => Work::Slices(Box::new(ExponentPaths::new(&parameters)?)),
+            "M" => Work::Slices(Box::new(MultiplierPaths::new(&parameters))),
+            id if poincare_map::draws(id) => Work::Slices(Box::new(Map::new(&parameters))),
             _ => Work::Waiting,
         };
         Ok(Self { specification, parameters, work })
@@ -89,8 +184,7 @@ impl Job {
     pub fn advance(&mut self) -> Result<bool, FigureError> {
         match &mut self.work {
             Work::Finished(_) => Ok(true),
-            Work::Exponents(paths) => paths.advance(),
-            Work::Map(map) => map.advance(),
+            Work::Slices(work) => work.advance(),
             Work::Waiting => {
                 let figure = at_once(self.specification.id, &self.parameters)?;
                 self.work = Work::Finished(Box::new(figure));
@@ -103,15 +197,8 @@ impl Job {
     pub fn figure(&self) -> Figure {
         match &self.work {
             Work::Finished(figure) => (**figure).clone(),
-            Work::Exponents(paths) => paths.figure(self.specification.id, &self.parameters),
-            Work::Map(map) => map.figure(self.specification.id, &self.parameters),
-            Work::Waiting => formula(
-                self.specification.id,
-                &self.parameters,
-                Composer::new((1, 1)),
-                "Not computed yet.".to_owned(),
-                "",
-            ),
+            Work::Slices(work) => work.figure(self.specification.id, &self.parameters),
+            Work::Waiting => Figure::waiting(self.specification.id, &self.parameters),
         }
     }
 }
@@ -125,9 +212,8 @@ fn at_once(id: &'static str, parameters: &Parameters) -> Result<Figure, FigureEr
         "5" => pitchfork::figure(id, parameters, Mode::Third),
         "6" => eigenvalues::figure(id, parameters),
         "7" => hopf::figure(id, parameters),
-        "9" => overall::figure(id, parameters, Supports::Hardening),
-        "10" => overall::figure(id, parameters, Supports::Softening),
         "14a" | "14b" => response::figure(id, parameters),
+        "T" => stability::figure(id, parameters),
         other => Err(FigureError::UnknownFigure { given: other.to_owned() }),
     }
 }
@@ -165,14 +251,5 @@ pub(super) fn formula(
     summary: String,
     method: &str,
 ) -> Figure {
-    Figure {
-        id,
-        parameters: *parameters,
-        drawing: composer.drawing(),
-        summary,
-        method: method.to_owned(),
-        error: ErrorEstimate::default(),
-        motion: None,
-        notes: Vec::new(),
-    }
+    Figure { summary, method: method.to_owned(), ..Figure::drawn(id, parameters, composer.drawing()) }
 }

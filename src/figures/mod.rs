@@ -3,21 +3,30 @@
 //! [`specifications`] says what there is; [`figure`] computes one at once, a [`Job`] step by step. Every number in a
 //! drawing is finite, whatever the parameters within their ranges.
 
+mod basins;
+mod branches;
 mod compose;
 mod determinant;
 mod eigenvalues;
+mod errata;
+mod exact;
 mod exponents;
 mod exponents_picture;
 mod gearing;
 mod hopf;
 mod job;
+mod load;
+mod multiplier_paths;
 mod overall;
 mod pitchfork;
 mod poincare_map;
 mod response;
 mod schematic;
 mod specification;
+mod stability;
+mod sweep;
+mod tongue_range;
 mod tongues;
 
-pub use job::{Figure, Job, Motion, at_time, figure};
+pub use job::{Entry, Figure, Job, Motion, Row, at_time, figure};
 pub use specification::{Preset, Specification, specification, specifications};

@@ -1,13 +1,14 @@
 //! Figures 9 and 10: all first-order branches over the mesh frequency.
 
 use super::compose::{Composer, Line, Points, axis, number, plane};
+use super::exact::Exact;
 use super::hopf;
-use super::job::{Figure, formula};
+use super::job::{Figure, Slices, formula};
 use super::pitchfork::no_branches;
 use super::tongues::{Setting, Supports, half_parabola};
 use crate::chart::drawing::Role;
 use crate::error::FigureError;
-use crate::model::parameters::Parameters;
+use crate::model::parameters::{Parameters, Regime};
 use crate::theory::branches::period_two;
 use crate::theory::modes::Mode;
 use crate::theory::primary::{Branch, radius_squared};
@@ -87,13 +88,90 @@ struct Drawn {
     event: Option<&'static str>,
 }
 
+/// Longest period of the exact motions beside the formulas, mesh periods.
+const LONGEST: usize = 2;
+
+/// Figure 9 or 10 in the making: the formulas at once, the exact motions as they are computed.
+#[derive(Debug)]
+pub(super) struct Overall {
+    formulas: Figure,
+    exact: Exact,
+}
+
+impl Overall {
+    /// # Errors
+    /// Unequal supports.
+    pub(super) fn new(
+        id: &'static str,
+        parameters: &Parameters,
+        supports: Supports,
+    ) -> Result<Self, FigureError> {
+        let setting = Setting::of(parameters)?.with(supports);
+        let formulas = formulas(id, parameters, supports)?;
+        let alpha = setting.symmetric.alpha;
+        let p = Parameters {
+            alpha_p: alpha,
+            alpha_g: alpha,
+            regime: Regime::Homogeneous,
+            load: 0.0,
+            load_p: 0.0,
+            load_g: 0.0,
+            error: 0.0,
+            ..*parameters
+        };
+        let (low, high) = Tongues::of(&setting).range();
+        let exact = Exact::new(&p, (low.max(0.3 * high.min(1.0)), high), LONGEST, false);
+        Ok(Self { formulas, exact })
+    }
+
+    /// Where the formula of the stable motion and the exact one are furthest apart.
+    fn farthest(&self) -> Option<String> {
+        let stable = self.formulas.drawing.series.iter().filter(|series| {
+            series.role == Role::Corrected && series.stable == Some(true) && series.name.starts_with("R_")
+        });
+        let mut farthest: Option<(f64, f64, f64)> = None;
+        for series in stable.filter(|series| !series.name.contains("cycle")) {
+            for (omega, radius) in series.x.iter().zip(&series.y) {
+                let Some(exact) = self.exact.stable_size(*omega) else { continue };
+                if farthest.is_none_or(|(_, one, other)| (radius - 0.5 * exact).abs() > (one - other).abs()) {
+                    farthest = Some((*omega, *radius, 0.5 * exact));
+                }
+            }
+        }
+        farthest.map(|(omega, radius, exact)| {
+            format!(
+                "Furthest apart at Omega = {}: the formula says R = {}, the exact motion has {}.",
+                number(omega, 4),
+                number(radius, 4),
+                number(exact, 5)
+            )
+        })
+    }
+}
+
+impl Slices for Overall {
+    fn advance(&mut self) -> Result<bool, FigureError> {
+        self.exact.advance()
+    }
+
+    fn figure(&self, _: &'static str, _: &Parameters) -> Figure {
+        let mut figure = self.formulas.clone();
+        let mut composer = Composer::on(figure.drawing);
+        self.exact.draw(&mut composer, 0, "", &|omega, size| (omega, 0.5 * size), true);
+        figure.drawing = composer.drawing();
+        figure.notes.extend(self.exact.notes());
+        figure.notes.extend(self.farthest());
+        figure.error = self.exact.error();
+        figure
+            .method
+            .push_str("; exact: continuation of the stroboscopic map, drawn as half of the greatest |u_p|");
+        figure
+    }
+}
+
 /// # Errors
 /// Unequal supports.
-pub(super) fn figure(
-    id: &'static str,
-    parameters: &Parameters,
-    supports: Supports,
-) -> Result<Figure, FigureError> {
+fn formulas(id: &'static str, parameters: &Parameters, supports: Supports) -> Result<Figure, FigureError> {
     let setting = Setting::of(parameters)?.with(supports);
     let all = Tongues::of(&setting);
     let (low, high) = all.range();

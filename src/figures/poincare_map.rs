@@ -1,11 +1,10 @@
 //! Figures 11-13: stroboscopic maps, which fill in as they are computed.
 
 use super::compose::{Composer, Line, Points, axis, number, plane};
-use super::job::Figure;
+use super::job::{Figure, Slices};
 use crate::chart::drawing::{Drawing, Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::{Parameters, Regime};
-use crate::study::ErrorEstimate;
 use crate::study::multipliers::{Multipliers, multipliers};
 use crate::study::orbit::{OrbitOptions, PeriodicOrbit, periodic_orbit};
 use crate::study::poincare::Strobe;
@@ -121,17 +120,8 @@ pub(super) struct Map {
     turn: usize,
 }
 
-impl Map {
-    pub(super) fn new(parameters: &Parameters) -> Self {
-        Self { parameters: *parameters, centre: None, tracks: Vec::new(), attractors: Vec::new(), turn: 0 }
-    }
-
-    /// The equations are unchanged by `u -> -u`: every start stands for its mirror image too.
-    fn mirrored(&self) -> bool {
-        self.parameters.regime == Regime::Homogeneous
-    }
-
-    pub(super) fn advance(&mut self) -> Result<bool, FigureError> {
+impl Slices for Map {
+    fn advance(&mut self) -> Result<bool, FigureError> {
         if self.centre.is_none() {
             self.begin()?;
         }
@@ -143,6 +133,30 @@ impl Map {
             left -= share;
         }
         Ok(self.tracks.iter().all(|track| track.end.is_some()))
+    }
+
+    fn figure(&self, id: &'static str, parameters: &Parameters) -> Figure {
+        let Some(centre) = &self.centre else { return Figure::waiting(id, parameters) };
+        let error = self.attractors.first().map_or(centre.error, |attractor| attractor.orbit.error);
+        Figure {
+            summary: self.summary(centre),
+            method: "Taylor series from period to period to 1e-10; multipliers and orbits by the variational equations"
+                .to_owned(),
+            error,
+            notes: self.notes(centre),
+            ..Figure::drawn(id, parameters, self.drawing(centre))
+        }
+    }
+}
+
+impl Map {
+    pub(super) fn new(parameters: &Parameters) -> Self {
+        Self { parameters: *parameters, centre: None, tracks: Vec::new(), attractors: Vec::new(), turn: 0 }
+    }
+
+    /// The equations are unchanged by `u -> -u`: every start stands for its mirror image too.
+    fn mirrored(&self) -> bool {
+        self.parameters.regime == Regime::Homogeneous
     }
 
     fn begin(&mut self) -> Result<(), FigureError> {
@@ -259,34 +273,6 @@ impl Map {
             points.push(strobe.next().ok()??);
         }
         Some(Attractor { orbit, points })
-    }
-
-    /// The picture so far.
-    pub(super) fn figure(&self, id: &'static str, parameters: &Parameters) -> Figure {
-        let Some(centre) = &self.centre else {
-            return Figure {
-                id,
-                parameters: *parameters,
-                drawing: Composer::new((1, 1)).drawing(),
-                summary: "Not computed yet.".to_owned(),
-                method: String::new(),
-                error: ErrorEstimate::default(),
-                motion: None,
-                notes: Vec::new(),
-            };
-        };
-        let error = self.attractors.first().map_or(centre.error, |attractor| attractor.orbit.error);
-        Figure {
-            id,
-            parameters: *parameters,
-            drawing: self.drawing(centre),
-            summary: self.summary(centre),
-            method: "Taylor series from period to period to 1e-10; multipliers and orbits by the variational equations"
-                .to_owned(),
-            error,
-            motion: None,
-            notes: self.notes(centre),
-        }
     }
 
     fn finished(&self) -> bool {

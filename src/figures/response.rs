@@ -158,14 +158,11 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
     let bounded = [&contact, &backlash].into_iter().filter(|run| run.response.escaped.is_none());
     let step = bounded.filter_map(|run| run.response.error.step).reduce(f64::max);
     Ok(Figure {
-        id,
-        parameters: *parameters,
-        drawing: composer.drawing(),
         summary,
         method: format!("contact: {}; backlash: {}", contact.response.method, backlash.response.method),
         error: ErrorEstimate { step: step.filter(|step| step.is_finite()), ..ErrorEstimate::default() },
-        motion: None,
         notes,
+        ..Figure::drawn(id, parameters, composer.drawing())
     })
 }
 

@@ -73,15 +73,14 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
         number(least, 4),
         number(greatest, 4)
     );
+    let drawing = drawing(parameters, &motion, 0.0);
     Ok(Figure {
-        id,
-        parameters: *parameters,
-        drawing: drawing(parameters, &motion, 0.0),
         summary,
         method: response.method,
         error: response.error,
         motion: Some(motion),
         notes,
+        ..Figure::drawn(id, parameters, drawing)
     })
 }
 

@@ -87,7 +87,16 @@ const fn branches(id: &'static str, title: &'static str, caption: &'static str) 
 }
 
 const fn overall(id: &'static str, title: &'static str, caption: &'static str) -> Specification {
-    Specification { id, title, caption, parameters: BRANCHES, preset: MAGNITUDE, aspect: 1.8, ..BLANK }
+    Specification {
+        id,
+        title,
+        caption,
+        parameters: BRANCHES,
+        preset: MAGNITUDE,
+        aspect: 1.8,
+        heavy: true,
+        ..BLANK
+    }
 }
 
 const fn map(
@@ -122,7 +131,7 @@ const CYCLE_CAPTION: &str = "The motion looked at once every mesh period, *T* = 
     what leaves it (light) winds onto a closed curve (dark): a motion of two frequencies, the limit cycle of the slow \
     flow, whose size shrinks as *Ω* nears the tongue's right edge.";
 
-static SPECIFICATIONS: [Specification; 21] = [
+static SPECIFICATIONS: [Specification; 28] = [
     Specification {
         id: "1",
         title: "Pinion and gear on their supports",
@@ -196,8 +205,8 @@ static SPECIFICATIONS: [Specification; 21] = [
         "9",
         "The whole diagram, hardening supports",
         "All first-order branches over *Ω*, hardening supports (+*α*): the pitchforks of the second and third modes \
-            and the limit cycles between them. Grey: as printed, undamped; green: corrected, with damping. Each branch is \
-            drawn as far as the middle of the way to the next tongue.",
+            and the limit cycles between them. Grey: as printed, undamped; green: corrected, with damping; blue and \
+            vermilion: exact, as half of the greatest |*u*_{p}|.",
     ),
     overall(
         "10",
@@ -274,9 +283,89 @@ static SPECIFICATIONS: [Specification; 21] = [
             regimes agree.",
         preset!["zeta" = 0.07, "alpha" = -1.3, "F" = 1.5, "Omega" = 1.6; regime = "contact"],
     ),
+    Specification {
+        id: "T",
+        title: "Tongues of instability",
+        caption: "Where rest is unstable, over mesh frequency and depth of the pulsation. Colour: the exact growth rate; white: \
+            stable. Blue: exact boundaries, where a multiplier passes −1 (plain) or a pair leaves the unit circle \
+            (small circles). Grey: the paper\u{2019}s first order; green: first order with damping. The ring is the \
+            present *Ω* and *k*_{0}: drag it.",
+        parameters: LINEAR_AT,
+        aspect: 1.6,
+        ..BLANK
+    },
+    Specification {
+        id: "B",
+        title: "All branches, exact",
+        caption: "Every periodic motion that can be reached from rest by bifurcations, up to period 4*T*, followed without a \
+            guess, as greatest |*u*_{p}| over *Ω*; and the tori of the combination tongue (small circles). Blue is stable, \
+            vermilion dashed unstable. Green: the theory. Each bifurcation has its mark and its name.",
+        parameters: BRANCHES,
+        aspect: 1.6,
+        heavy: true,
+        ..BLANK
+    },
+    Specification {
+        id: "M",
+        title: "Multipliers beside the unit circle",
+        caption: "By what factors small deviations change in one mesh period: the six Floquet multipliers at the present \
+            *Ω* (rings), the way they take as *Ω* changes by 15 per cent to either side, and their magnitudes over all \
+            of *Ω*. Outside of the unit circle, or above one, a deviation grows: through −1 at the edges of the primary \
+            tongues, as a pair at those of the combination tongue.",
+        parameters: LINEAR_AT,
+        aspect: 1.9,
+        heavy: true,
+        ..BLANK
+    },
+    Specification {
+        id: "S",
+        title: "Raised and lowered",
+        caption: "No theory, only patience: *Ω* is raised in small steps and the pair is given time to settle at each, then \
+            lowered again. Dots are its positions once a mesh period. Where blue and dark dots differ, what the pair \
+            does depends on where it comes from.",
+        parameters: BRANCHES,
+        aspect: 1.8,
+        heavy: true,
+        ..BLANK
+    },
+    Specification {
+        id: "L",
+        title: "The least load that keeps the teeth together",
+        caption: "Left: the smallest mean load *F* under which the steady response is stable and its teeth never part, over \
+            *Ω*; in the bands no load helps. Right: one period of the response at the ring, with its least *u*. Drag the \
+            ring to change *Ω* and *F*.",
+        parameters: LOADED,
+        preset: preset!["E" = 0.1, "F" = 1.0, "Omega" = 1.2; regime = "contact"],
+        aspect: 1.9,
+        heavy: true,
+        ..BLANK
+    },
+    Specification {
+        id: "A",
+        title: "Which start goes where",
+        caption: "Each point is a start, pinion and gear opposed, the transmission error at rest. Its colour says where the \
+            motion ends: at which point of which attractor it is at the flash, or that it escapes (grey). The picture \
+            grows finer as it is computed.",
+        parameters: MAP,
+        preset: preset!["zeta" = 0.02, "Omega" = 1.65],
+        aspect: 1.2,
+        heavy: true,
+        ..BLANK
+    },
+    Specification {
+        id: "E",
+        title: "What the paper prints, and what is so",
+        caption: "Line by line: where it stands, what is printed, what it should be, and what the exact system says, \
+            computed as the page loads. The drawing shows the numbers among them: how far the printed one (grey) and \
+            the corrected one (green) are off the exact one.",
+        parameters: MODAL,
+        aspect: 1.5,
+        heavy: true,
+        ..BLANK
+    },
 ];
 
-/// Every figure, in the paper's order.
+/// Every figure: the paper's in its order, then those beyond it.
 pub fn specifications() -> &'static [Specification] {
     &SPECIFICATIONS
 }

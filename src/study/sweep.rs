@@ -92,6 +92,10 @@ pub struct Sweep {
     pub error: ErrorEstimate,
 }
 
+/// By so much the state is disturbed at each new frequency, as in any real machine; a little off the manifold
+/// `u_g = -u_p`, so that no instability is hidden by symmetry.
+const DISTURBANCE: [f64; 6] = [-4e-4, 4.2e-4, 1e-3, 0.0, 0.0, 0.0];
+
 /// The parameters at another mesh frequency. The loads' frequencies keep their ratio to it, as those of shafts do that
 /// turn with the teeth.
 pub fn at_frequency(p: &Parameters, omega: f64) -> Parameters {
@@ -218,7 +222,9 @@ impl SweepWork {
     /// ended at such a time.
     fn begin(&self) -> Result<Strobe, StudyError> {
         let p = at_frequency(&self.parameters, self.frequency());
-        Strobe::new(&p, self.state, self.options.tolerance)
+        // A motion that has settled to the last bit would stay where it is when that becomes unstable.
+        let state = std::array::from_fn(|index| self.state[index] + DISTURBANCE[index]);
+        Strobe::new(&p, state, self.options.tolerance)
     }
 
     /// The error of one period at this frequency.

@@ -17,7 +17,7 @@ use web_sys::{
 
 use crate::chart::cloud::coverage;
 use crate::chart::metrics::{FAMILY, Face};
-use crate::chart::surface::{Cloud, Lettering, Stroke, Surface, UNITS, plain_size, set_plain};
+use crate::chart::surface::{Cloud, Image, Lettering, Stroke, Surface, UNITS, plain_size, set_plain};
 use crate::chart::svg::check_size;
 use crate::error::ChartError;
 
@@ -99,6 +99,21 @@ impl Drop for CanvasSurface {
     fn drop(&mut self) {
         self.context.restore();
     }
+}
+
+/// Pixels on a canvas of their own: put straight onto another they would wipe out what lies under them.
+fn layer(
+    bytes: &[u8],
+    (width, height): (u32, u32),
+) -> Result<OffscreenCanvas, DrawingErrorKind<CanvasFailure>> {
+    let js = |error: JsValue| failed(&error);
+    let pixels = ImageData::new_with_u8_clamped_array_and_sh(Clamped(bytes), width, height).map_err(js)?;
+    let layer = OffscreenCanvas::new(width, height).map_err(js)?;
+    let onto = layer.get_context("2d").map_err(js)?.and_then(|context| context.dyn_into().ok());
+    let onto: OffscreenCanvasRenderingContext2d =
+        onto.ok_or_else(|| failed(&JsValue::from_str("no 2-D context for an image")))?;
+    onto.put_image_data(&pixels, 0.0, 0.0).map_err(js)?;
+    Ok(layer)
 }
 
 impl DrawingBackend for CanvasSurface {
@@ -236,19 +251,32 @@ impl Surface for CanvasSurface {
             }
         }
         let (width, height) = (image.size.0 as u32, image.size.1 as u32);
-        let js = |error: JsValue| failed(&error);
-        let pixels =
-            ImageData::new_with_u8_clamped_array_and_sh(Clamped(&bytes), width, height).map_err(js)?;
-        // By way of a canvas of its own: pixels put straight onto this one would wipe out what lies under them.
-        let layer = OffscreenCanvas::new(width, height).map_err(js)?;
-        let onto = layer.get_context("2d").map_err(js)?.and_then(|context| context.dyn_into().ok());
-        let onto: OffscreenCanvasRenderingContext2d =
-            onto.ok_or_else(|| failed(&JsValue::from_str("no 2-D context for a cloud of points")))?;
-        onto.put_image_data(&pixels, 0.0, 0.0).map_err(js)?;
-        self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0).map_err(js)?;
         let (left, top) = (image.origin.0 as f64, image.origin.1 as f64);
+        let layer = layer(&bytes, (width, height))?;
+        let js = |error: JsValue| failed(&error);
+        self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0).map_err(js)?;
         self.context.draw_image_with_offscreen_canvas(&layer, left, top).map_err(js)?;
         self.in_units()
+    }
+
+    fn image(
+        &mut self,
+        image: &Image<'_>,
+        (left, top): BackendCoord,
+        (right, bottom): BackendCoord,
+    ) -> Outcome {
+        let columns = image.columns.max(1);
+        let mut bytes = vec![0_u8; 4 * image.pixels.len()];
+        for (pixel, &index) in bytes.chunks_exact_mut(4).zip(image.pixels) {
+            if let Some(color) = image.colors.get(usize::from(index)) {
+                pixel.copy_from_slice(&[color.0, color.1, color.2, 255]);
+            }
+        }
+        let layer = layer(&bytes, (columns as u32, (image.pixels.len() / columns) as u32))?;
+        let [x, y, wide, high] = [left, top, right - left, bottom - top].map(f64::from);
+        self.context
+            .draw_image_with_offscreen_canvas_and_dw_and_dh(&layer, x, y, wide, high)
+            .map_err(|error| failed(&error))
     }
 
     fn strokes(&mut self, lines: &[Vec<BackendCoord>], stroke: &Stroke) -> Outcome {

@@ -5,7 +5,7 @@ use wasm_bindgen::JsValue;
 
 use crate::chart::drawing::{Axis, Drawing, Frame, Mark, Series};
 use crate::error::FigureError;
-use crate::figures::{self, Figure, Motion};
+use crate::figures::{self, Entry, Figure, Motion, Row};
 use crate::study::ErrorEstimate;
 use crate::web::columns::{Record, parameters_record};
 use crate::web::errors::WebError;
@@ -39,6 +39,11 @@ pub fn figure_record(figure: &Figure, title: &str) -> Record {
         .value("summary", figure.summary.as_str())
         .texts("notes", figure.notes.iter().map(String::as_str))
         .provenance(&figure.method, &figure.error);
+    let record = if figure.table.is_empty() {
+        record.value("table", JsValue::NULL)
+    } else {
+        record.list("table", figure.table.iter().map(row_record))
+    };
     match &figure.motion {
         None => record.value("motion", JsValue::NULL),
         Some(motion) => record.record(
@@ -50,6 +55,23 @@ pub fn figure_record(figure: &Figure, title: &str) -> Record {
                 .column("u", &motion.u),
         ),
     }
+}
+
+fn row_record(row: &Row) -> Record {
+    let entry = |record: Record, name: &str, entry: &Entry| match entry {
+        Entry::Number(number) => record.number(name, *number),
+        Entry::Words(words) => record.value(name, *words),
+        Entry::Nothing => record.value(name, JsValue::NULL),
+    };
+    let record = Record::new().value("where", row.place).value("what", row.quantity.as_str());
+    let record = entry(record, "printed", &row.printed);
+    let record = entry(record, "ours", &row.ours);
+    let record = entry(record, "exact", &row.exact);
+    let beyond = |number: Option<f64>| Some(number? - row.exact.number()?);
+    record
+        .optional("deviation", beyond(row.printed.number()))
+        .optional("ownDeviation", beyond(row.ours.number()))
+        .value("remark", row.remark)
 }
 
 fn whole_pair(pair: (usize, usize)) -> (f64, f64) {
@@ -70,10 +92,11 @@ fn frame_record(frame: &Frame) -> Record {
         .value("title", frame.title.as_str())
         .record("x", axis_record(&frame.x))
         .record("y", axis_record(&frame.y));
-    let record = match &frame.z {
-        None => record.value("z", JsValue::NULL),
-        Some(axis) => record.record("z", axis_record(axis)),
+    let optional = |record: Record, name: &str, axis: &Option<Axis>| match axis {
+        None => record.value(name, JsValue::NULL),
+        Some(axis) => record.record(name, axis_record(axis)),
     };
+    let record = optional(optional(record, "z", &frame.z), "bar", &frame.bar);
     record
         .pair("cell", whole_pair(frame.cell))
         .pair("span", whole_pair(frame.span))
@@ -125,6 +148,8 @@ pub fn read_figure(value: &JsValue) -> Result<(Figure, String), WebError> {
             residual: read_optional(&error, "residual")?,
         },
         motion: read_motion(&object.get("motion")?)?,
+        // Drawing needs the rows no more; the object keeps them.
+        table: Vec::new(),
         notes: notes.iter().map(|note| note.text(LONGEST_SENTENCE)).collect::<Result<_, _>>()?,
     };
     Ok((figure, title))
@@ -169,7 +194,7 @@ fn read_drawing(object: &Part) -> Result<Drawing, WebError> {
     let mut series = Vec::new();
     for part in object.get("series")?.list(MOST_SERIES)? {
         let one = read_series(&part, &frames, points_left)?;
-        points_left -= one.x.len();
+        points_left -= one.x.len().max(one.z.len());
         series.push(one);
     }
     Ok(Drawing { grid, frames, series })
@@ -191,12 +216,14 @@ fn read_axis(part: &Part) -> Result<Axis, WebError> {
 
 fn read_frame(part: &Part, grid: (usize, usize)) -> Result<Frame, WebError> {
     let third = part.get("z")?;
+    let bar = part.get("bar")?;
     let frame = Frame {
         name: part.get("frame")?.text(LONGEST_LABEL)?,
         title: part.get("title")?.text(LONGEST_LABEL)?,
         x: read_axis(&part.get("x")?)?,
         y: read_axis(&part.get("y")?)?,
         z: if third.is_nothing() { None } else { Some(read_axis(&third)?) },
+        bar: if bar.is_nothing() { None } else { Some(read_axis(&bar)?) },
         cell: part.get("cell")?.whole_pair(0, MOST_CELLS - 1)?,
         span: part.get("span")?.whole_pair(1, MOST_CELLS)?,
         equal_aspect: part.get("equalAspect")?.truth()?,
@@ -250,6 +277,14 @@ fn read_pieces(part: &Part) -> Result<Vec<usize>, WebError> {
 fn check_series(part: &Part, series: &Series, in_space: bool) -> Result<(), WebError> {
     let points = series.x.len();
     let third = if in_space { points } else { 0 };
+    if series.mark == Mark::Field {
+        let fits = !in_space && points > 0 && points * series.y.len() == series.z.len();
+        return if fits {
+            Ok(())
+        } else {
+            Err(part.unfit("columns of other lengths", "a z for each pair of x and y, in a plane"))
+        };
+    }
     if series.y.len() != points || series.z.len() != third {
         return Err(
             part.unfit("columns of other lengths", "columns of one length, z only in a view in space")

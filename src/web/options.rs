@@ -4,8 +4,9 @@ use wasm_bindgen::JsValue;
 
 use crate::error::ModelError;
 use crate::model::parameters::{Parameters, Regime, Value, info};
+use crate::study::grid::{Grid, MOST_VALUES};
 use crate::study::motion::TOLERANCE;
-use crate::web::errors::{Allowed, Given, WebError};
+use crate::web::errors::{Allowed, Given, WebError, number_words};
 use crate::web::values;
 
 /// Largest absolute value of a coordinate of a state.
@@ -152,6 +153,45 @@ impl Options {
             .map_err(|_| WebError::option(name, Given::Words(format!("{length} numbers")), allowed()))
     }
 
+    /// Two numbers `[low, high]` within `allowed`, the first below the second.
+    ///
+    /// # Errors
+    /// `option`.
+    pub fn range(&self, name: &str, default: [f64; 2], allowed: [f64; 2]) -> Result<[f64; 2], WebError> {
+        let Some(value) = self.get(name) else { return Ok(default) };
+        let [least, most] = allowed;
+        let words = || {
+            let (least, most) = (number_words(least), number_words(most));
+            Allowed::Text(format!("[low, high] with {least} <= low < high <= {most}"))
+        };
+        let numbers = values::numbers(value, 2).map_err(|given| WebError::option(name, given, words()))?;
+        match numbers.as_slice() {
+            &[low, high] if least <= low && low < high && high <= most => Ok([low, high]),
+            given => Err(WebError::option(name, listed(given), words())),
+        }
+    }
+
+    /// An evenly spaced grid `[low, high, number]` within `allowed`; it must be given.
+    ///
+    /// # Errors
+    /// `option`.
+    pub fn grid(&self, name: &'static str, allowed: [f64; 2]) -> Result<Grid, WebError> {
+        let words = || {
+            let [least, most] = allowed.map(number_words);
+            let counts = format!("a whole number from 2 to {MOST_VALUES}");
+            Allowed::Text(format!("[low, high, number] with {least} <= low <= high <= {most} and {counts}"))
+        };
+        let absent = JsValue::UNDEFINED;
+        let value = self.get(name).unwrap_or(&absent);
+        let numbers = values::numbers(value, 3).map_err(|given| WebError::option(name, given, words()))?;
+        match numbers.as_slice() {
+            &[low, high, count] if count.fract() == 0.0 && (1.0..=MOST_VALUES as f64).contains(&count) => {
+                Ok(Grid::new(name, [low, high], count as usize, allowed)?)
+            }
+            given => Err(WebError::option(name, listed(given), words())),
+        }
+    }
+
     /// A text of at most 80 characters.
     ///
     /// # Errors
@@ -161,6 +201,34 @@ impl Options {
         match value.as_string() {
             Some(word) if word.len() <= 80 => Ok(Some(word)),
             _ => Err(WebError::option(name, values::given(value), Allowed::Text(choices.into()))),
+        }
+    }
+
+    /// The value as it was given; `undefined` where it was not.
+    pub fn value(&self, name: &str) -> JsValue {
+        self.get(name).cloned().unwrap_or(JsValue::UNDEFINED)
+    }
+
+    /// Two different names out of a list, as indices in it.
+    ///
+    /// # Errors
+    /// `option`.
+    pub fn names(&self, name: &str, known: &[&str], default: [usize; 2]) -> Result<[usize; 2], WebError> {
+        let Some(value) = self.get(name) else { return Ok(default) };
+        let wrong = || {
+            let allowed = Allowed::Text(format!("two different ones of {}", known.join(", ")));
+            WebError::option(name, values::given(value), allowed)
+        };
+        if values::list_length(value, 2).ok() != Some(2) {
+            return Err(wrong());
+        }
+        let index = |at: usize| {
+            let word = values::item(value, at).ok()?.as_string()?;
+            known.iter().position(|known| *known == word)
+        };
+        match (index(0), index(1)) {
+            (Some(first), Some(second)) if first != second => Ok([first, second]),
+            _ => Err(wrong()),
         }
     }
 
@@ -174,4 +242,10 @@ impl Options {
             Some(value) => Self::read_named(name, value, known),
         }
     }
+}
+
+/// Numbers as they were given, for a sentence.
+fn listed(numbers: &[f64]) -> Given {
+    let words: Vec<String> = numbers.iter().map(|number| number_words(*number)).collect();
+    Given::Words(format!("[{}]", words.join(", ")))
 }

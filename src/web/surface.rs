@@ -7,7 +7,7 @@ use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
 };
 
-use crate::chart::surface::{Cloud, Lettering, Stroke};
+use crate::chart::surface::{Cloud, Image, Lettering, Stroke};
 use crate::chart::{Surface, SvgSurface};
 use crate::web::canvas::{CanvasFailure, CanvasSurface};
 
@@ -128,6 +128,17 @@ impl Surface for AnySurface {
 
     fn cloud(&mut self, cloud: &Cloud<'_>) -> Outcome {
         either!(self, inner => inner.cloud(cloud))
+    }
+
+    fn image(&mut self, image: &Image<'_>, from: BackendCoord, to: BackendCoord) -> Outcome {
+        either!(self, inner => inner.image(image, from, to))
+    }
+
+    fn image_pixel(&self) -> f64 {
+        match self {
+            Self::Canvas(canvas) => canvas.image_pixel(),
+            Self::Svg(text) => text.image_pixel(),
+        }
     }
 
     fn strokes(&mut self, lines: &[Vec<BackendCoord>], stroke: &Stroke) -> Outcome {

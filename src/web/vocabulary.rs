@@ -3,17 +3,18 @@
 use crate::chart::drawing::{Mark, Role};
 
 /// Every mark with its word.
-const MARKS: [(Mark, &str); 6] = [
+const MARKS: [(Mark, &str); 7] = [
     (Mark::Curve, "curve"),
     (Mark::Filled, "filled"),
     (Mark::Cloud, "cloud"),
     (Mark::Marks, "marks"),
     (Mark::Band, "band"),
     (Mark::Text, "text"),
+    (Mark::Field, "field"),
 ];
 
 /// Every role with its word.
-const ROLES: [(Role, &str); 22] = [
+const ROLES: [(Role, &str); 29] = [
     (Role::Exact, "exact"),
     (Role::Paper, "paper"),
     (Role::Corrected, "corrected"),
@@ -36,6 +37,13 @@ const ROLES: [(Role, &str); 22] = [
     (Role::IntervalStable, "interval-stable"),
     (Role::IntervalSaddle, "interval-saddle"),
     (Role::IntervalSpiral, "interval-spiral"),
+    (Role::QuasiPeriodic, "quasi-periodic"),
+    (Role::Fold, "fold"),
+    (Role::TorusBifurcation, "torus-bifurcation"),
+    (Role::AcrossManifold, "across-manifold"),
+    (Role::Growth, "growth"),
+    (Role::Basins, "basins"),
+    (Role::Downward, "downward"),
 ];
 
 /// The mark's word; empty for one that was forgotten in the table (the round trip of every figure is tested).

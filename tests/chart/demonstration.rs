@@ -12,6 +12,7 @@ pub fn frame(name: &str, title: &str, cell: (usize, usize), x: Axis, y: Axis) ->
         title: title.into(),
         x,
         y,
+        bar: None,
         z: None,
         cell,
         span: (1, 1),
@@ -46,6 +47,34 @@ fn labelled(mut series: Series, label: &str, at: f64) -> Series {
 fn stability(mut series: Series, stable: bool) -> Series {
     series.stable = Some(stable);
     series
+}
+
+/// A field with its bar, a quasi-periodic line, and each of the marks of branches.
+pub fn field() -> Drawing {
+    let mut frame =
+        frame("chart", "a field", (0, 0), axis("Omega", "*Ω*", 0.0, 2.0), axis("k0", "*k*_{0}", 0.0, 1.0));
+    frame.bar = Some(axis("growth", "growth rate ln|*μ*|/*T*", 0.0, 0.2));
+    let mut growth = series(0, "growth", Role::Growth, Mark::Field);
+    growth.x = (0..41).map(|i| f64::from(i) / 20.0).collect();
+    growth.y = (0..31).map(|i| f64::from(i) / 30.0).collect();
+    for y in &growth.y {
+        growth.z.extend(growth.x.iter().map(|x| 0.2 * (x - 1.0) * (0.2 + y)));
+    }
+    let mut all = vec![growth];
+    for (name, role, at) in [
+        ("fold", Role::Fold, [0.25, 0.3]),
+        ("torus point", Role::TorusBifurcation, [0.5, 0.3]),
+        ("across", Role::AcrossManifold, [0.75, 0.3]),
+    ] {
+        let mut mark = labelled(series(0, name, role, Mark::Marks), name, 0.0);
+        (mark.x, mark.y) = (vec![at[0]], vec![at[1]]);
+        all.push(mark);
+    }
+    let mut torus = labelled(series(0, "torus", Role::QuasiPeriodic, Mark::Curve), "quasi-periodic", 0.3);
+    torus.x = (0..=60).map(|i| 0.1 + 0.03 * f64::from(i)).collect();
+    torus.y = torus.x.iter().map(|x| 0.55 + 0.2 * (2.0 * x).sin()).collect();
+    all.push(torus);
+    Drawing { grid: (1, 1), frames: vec![frame], series: all }
 }
 
 /// Half-width of the second tongue at m = 1, k = 5, theory.md [T3].
@@ -319,5 +348,6 @@ pub fn all() -> Vec<(&'static str, Drawing, f64)> {
         ("nodes", nodes(), 1.5),
         ("response", response(), 1.6),
         ("schematic", schematic(), 2.0),
+        ("field", field(), 1.6),
     ]
 }

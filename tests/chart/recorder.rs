@@ -3,7 +3,7 @@
 use std::convert::Infallible;
 
 use gear_bifurcations::chart::Surface;
-use gear_bifurcations::chart::surface::{Cloud, Lettering};
+use gear_bifurcations::chart::surface::{Cloud, Image, Lettering};
 use gear_bifurcations::chart::text::Run;
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, DrawingBackend, DrawingErrorKind};
 
@@ -16,6 +16,7 @@ pub enum Call {
     Polygon { corners: Vec<[f64; 2]> },
     Rectangle { corners: [[f64; 2]; 2] },
     Circle { center: [f64; 2] },
+    Image { columns: usize, pixels: Vec<u8>, corners: [[f64; 2]; 2] },
     Cloud { points: Vec<[f64; 2]>, diameter: f64 },
     Letters { runs: Vec<Run>, at: [f64; 2], upwards: bool },
 }
@@ -110,6 +111,12 @@ impl Surface for Recorder {
     fn cloud(&mut self, cloud: &Cloud<'_>) -> Outcome {
         let points = cloud.points.iter().map(|&point| self.pixel(point)).collect();
         self.note(Call::Cloud { points, diameter: f64::from(cloud.diameter) / f64::from(self.units) });
+        Ok(())
+    }
+
+    fn image(&mut self, image: &Image<'_>, from: BackendCoord, to: BackendCoord) -> Outcome {
+        let corners = [self.pixel(from), self.pixel(to)];
+        self.note(Call::Image { columns: image.columns, pixels: image.pixels.to_vec(), corners });
         Ok(())
     }
 

@@ -8,7 +8,7 @@ import { allFinite, gear, load, refused, script } from "./support.mjs";
 /** @typedef {import("../../www/engine/gear-bifurcations.js").Figure} Figure */
 /** @typedef {import("../../www/engine/gear-bifurcations.js").FigureInfo} FigureInfo */
 
-const IDS = "1 2 3 4 5 6 7 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c 14a 14b".split(" ");
+const IDS = "1 2 3 4 5 6 7 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c 14a 14b T B M S L A E".split(" ");
 /** @type {Map<string, Figure>} */
 const figures = new Map();
 
@@ -53,7 +53,7 @@ test("figure() has the shape of the contract and holds no number that is not fin
   for (const [id, figure] of figures) {
     assert.deepEqual(
       Object.keys(figure),
-      "id title params grid axes series summary notes method error motion".split(" "),
+      "id title params grid axes series summary notes method error table motion".split(" "),
     );
     assert.equal(figure.id, id);
     allFinite(figure, id);
@@ -61,7 +61,7 @@ test("figure() has the shape of the contract and holds no number that is not fin
     const frames = figure.axes.map((frame) => frame.frame);
     assert.equal(new Set(frames).size, frames.length);
     for (const frame of figure.axes) {
-      assert.deepEqual(Object.keys(frame), "frame title x y z cell span equalAspect bare".split(" "));
+      assert.deepEqual(Object.keys(frame), "frame title x y z bar cell span equalAspect bare".split(" "));
       assert.ok(frame.x.low < frame.x.high && frame.y.low < frame.y.high);
     }
     for (const series of figure.series) {
@@ -71,7 +71,9 @@ test("figure() has the shape of the contract and holds no number that is not fin
       );
       assert.ok(frames.includes(series.frame) && series.role && series.mark, `${id}: ${series.name}`);
       assert.ok(series.columns.x instanceof Float64Array && series.pieces instanceof Uint32Array);
-      assert.equal(series.columns.x.length, series.columns.y.length);
+      const { x, y, z } = series.columns;
+      if (series.mark === "field") assert.equal(z?.length, x.length * y.length);
+      else assert.equal(x.length, y.length);
     }
   }
 });

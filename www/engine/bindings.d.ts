@@ -25,6 +25,18 @@ export interface Bindings {
   timeResponse(params: unknown, options: unknown): unknown;
   poincare(params: unknown, options: unknown): unknown;
   periodicOrbit(params: unknown, options: unknown): unknown;
+  tongueEdges(params: unknown, options: unknown): unknown;
+  tongueBoundary(params: unknown, options: unknown): unknown;
+  stabilityChart(params: unknown, options: unknown): unknown;
+  branch(params: unknown, options: unknown): unknown;
+  diagram(params: unknown, options: unknown): unknown;
+  torus(params: unknown, options: unknown): unknown;
+  sweep(params: unknown, options: unknown): unknown;
+  lyapunov(params: unknown, options: unknown): unknown;
+  basin(params: unknown, options: unknown): unknown;
+  contactMargin(params: unknown, options: unknown): unknown;
+  leastLoad(params: unknown, options: unknown): unknown;
+  spectrum(params: unknown, options: unknown): unknown;
   figures(): unknown;
   figure(id: unknown, params: unknown): unknown;
   progress(id: unknown, params: unknown): RawProgress;

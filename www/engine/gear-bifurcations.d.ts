@@ -271,6 +271,242 @@ export interface PeriodicOrbit extends Provenance {
   period: number;
 }
 
+/** Which tongue: one of the three, or the one that holds or is next to a mesh frequency. */
+export type TongueName = "primary2" | "primary3" | "combination" | { near: number };
+/** What the multipliers do at an edge. */
+export type EdgeKind = "period-doubling" | "neimark-sacker" | "plus-one" | "krein";
+/** Evenly spaced values: low, high, number (2 to 4096). */
+export type GridOption = ArrayLike<number>;
+/** Low and high. */
+export type RangeOption = ArrayLike<number>;
+/** A coordinate of the state by name. */
+export type Coordinate = "u_p" | "u_g" | "u" | "u_p_dot" | "u_g_dot" | "u_dot";
+
+export interface TongueEdgesOptions extends ToleranceOption {
+  tongue: TongueName;
+}
+
+export interface TongueEdges extends Interval, Provenance {
+  /** At the left and at the right edge; null where the tongue is closed. */
+  kind: [EdgeKind, EdgeKind] | null;
+}
+
+export interface TongueBoundaryOptions extends ToleranceOption {
+  tongue: TongueName;
+  /** Depths between which it is followed, default [0, 1]. */
+  k0?: RangeOption;
+  /** Points, 3 to 4096, default 90. */
+  points?: number;
+}
+
+/** From the left leg over the tip to the right leg; empty where the tongue is closed at all these depths. */
+export interface TongueBoundary extends Provenance {
+  Omega: Float64Array;
+  k0: Float64Array;
+  kind: EdgeKind[];
+  /** Points of the left leg, the first of the columns; without a tip the right leg is a curve of its own. */
+  left: number;
+  tip: { Omega: number; k0: number } | null;
+}
+
+export interface StabilityChartOptions {
+  Omega: GridOption;
+  k0: GridOption;
+  /** Of the spectral radius, absolute, default 1e-6. */
+  tolerance?: number;
+}
+
+/** Index of a point: i_k0 * Omega.length + i_Omega. `error.step` bounds the error of every point absolutely. */
+export interface StabilityChart extends Provenance {
+  Omega: Float64Array;
+  k0: Float64Array;
+  /** -1 where there is no periodic response that it could be about. */
+  spectralRadius: Float64Array;
+  /** How many such points there are. */
+  missing: number;
+}
+
+export interface BranchOptions extends ToleranceOption {
+  /** Any number of the model but Omega_p and Omega_g, default Omega. */
+  parameter?: string;
+  /** Within which it is followed; default the slider's range of the parameter. */
+  range?: RangeOption;
+  /** In mesh periods, 1 to 64. */
+  period?: number;
+  /** A state near an orbit of the branch. */
+  from?: State;
+  /** Most points each way, default 400. */
+  points?: number;
+  maxStep?: number;
+}
+
+export interface BranchEvent {
+  kind: "fold" | "period-doubling" | "pitchfork" | "neimark-sacker" | "branch-point" | "grazing";
+  /** Under the parameter's name its value. */
+  [parameter: string]: unknown;
+  state: Float64Array;
+  /** Of a pitchfork, the symmetry that it breaks: u to -u, or pinion and gear. */
+  breaks: "sign" | "exchange" | null;
+  maxU_p: number;
+  maxU: number;
+  supercritical: boolean | null;
+  /** Index of the point that it comes after, or is. */
+  after: number;
+}
+
+export interface Branch extends Provenance {
+  parameter: string;
+  period: number;
+  /** Under the parameter's name its values. */
+  [parameter: string]: unknown;
+  maxU_p: Float64Array;
+  maxU: Float64Array;
+  /** Six a row. */
+  state: Float64Array;
+  /** 1 or 0. */
+  stable: Float64Array;
+  /** Number of multipliers outside the unit circle. */
+  unstable: Float64Array;
+  /** Multipliers, six a row. */
+  re: Float64Array;
+  im: Float64Array;
+  events: BranchEvent[];
+  /** Why it ends at its first and at its last point. */
+  ends: { kind: string; period: number | null; reason: string | null }[];
+}
+
+export interface DiagramOptions extends ToleranceOption {
+  Omega?: RangeOption;
+  /** Default 4. */
+  maxPeriod?: number;
+  /** Default 64. */
+  maxBranches?: number;
+}
+
+export interface Diagram extends Provenance {
+  branches: (Branch & { from: { branch: number; event: number } | null })[];
+  /** False where there was more to follow than was allowed. */
+  complete: boolean;
+}
+
+export interface Torus extends Provenance {
+  /** Mean of sqrt(u_p^2 + u_p_dot^2). */
+  meanRadius: number;
+  /** Its frequency over Omega, folded into [0, 1/2]. */
+  rotation: number;
+  /** States along the circle, six a row. */
+  curve: Float64Array;
+  stable: boolean;
+  /** Fastest growth across the circle, per unit of t. */
+  growth: number;
+  rMin: number;
+  rMax: number;
+  maxU_p: number;
+  maxU: number;
+  /** Circles that the map carries one into the next. */
+  circles: number;
+  /** The same by averages over a long motion; null where the circle attracts none. */
+  averages: { meanRadius: number; rotation: number } | null;
+}
+
+export interface SweepOptions extends ToleranceOption {
+  Omega: GridOption;
+  direction?: "up" | "down";
+  transient?: number;
+  points?: number;
+  state?: State;
+}
+
+export interface Sweep extends Provenance {
+  Omega: Float64Array;
+  u_p: Float64Array;
+  u: Float64Array;
+  /** Omega at which the motion escaped, or null. */
+  escaped: number | null;
+}
+
+export interface LyapunovOptions extends ToleranceOption {
+  state?: State;
+  /** Default 2000. */
+  periods?: number;
+}
+
+export interface Lyapunov extends Provenance {
+  /** Six, largest first, per unit of t. */
+  exponents: Float64Array;
+  state: Float64Array;
+}
+
+export interface BasinOptions {
+  /** Default u_p and u_p_dot. */
+  plane?: [Coordinate, Coordinate];
+  x: GridOption;
+  y: GridOption;
+  /** The other coordinates. */
+  state?: State;
+  periods?: number;
+  /** Default 1e-6. */
+  tolerance?: number;
+}
+
+/** Index of a cell: i_y * n_x + i_x. */
+export interface Basin extends Provenance {
+  /** Index of the attractor, -1: escapes, -2: undecided. */
+  attractor: Float64Array;
+  /** At which of the orbit's points the motion is at t = 0, in the limit. */
+  phase: Float64Array;
+  attractors: {
+    kind: "orbit" | "torus";
+    period: number | null;
+    state: Float64Array;
+    /** Six a row. */
+    points: Float64Array;
+    multipliers: { re: Float64Array; im: Float64Array } | null;
+  }[];
+}
+
+export interface ContactMarginOptions extends ToleranceOption {
+  state?: State;
+}
+
+export interface ContactMargin extends Provenance {
+  /** min u - 1. */
+  margin: number;
+  /** Time of the least u. */
+  at: number;
+  state: Float64Array;
+  stable: boolean;
+  /** In mesh periods. */
+  period: number;
+}
+
+export interface LeastLoad extends Provenance {
+  /** Smallest F with a stable response that keeps contact; null where no F helps. */
+  F: number | null;
+  /** The same without asking for stability. */
+  contactF: number | null;
+  /** What decides. */
+  limit: "contact" | "stability" | "none";
+  reason: "unstable" | "parted" | "no-response" | null;
+  state: Float64Array | null;
+}
+
+export interface SpectrumOptions extends ToleranceOption {
+  state?: State;
+  /** Default 500. */
+  transient?: number;
+  /** Default 128. */
+  periods?: number;
+}
+
+export interface AmplitudeSpectrum extends Provenance {
+  /** Over Omega. */
+  frequency: Float64Array;
+  /** Of u. */
+  amplitude: Float64Array;
+  window: string;
+}
+
 export interface ToleranceOption {
   /** Tolerance of the integration, 1e-14 to 1e-3, default 1e-10. */
   tolerance?: number;
@@ -319,6 +555,8 @@ export interface FigureFrame {
   y: Axis;
   /** Third axis of a view in space, or null. */
   z: Axis | null;
+  /** Scale of the frame's fields, or null: nothing is painted up to `low`, everything alike from `high` on. */
+  bar: Axis | null;
   /** First cell in the grid: column, row. */
   cell: [number, number];
   /** Cells it spans: columns, rows. */
@@ -327,7 +565,7 @@ export interface FigureFrame {
   bare: boolean;
 }
 
-export type Mark = "curve" | "filled" | "cloud" | "marks" | "band" | "text";
+export type Mark = "curve" | "filled" | "cloud" | "marks" | "band" | "text" | "field";
 
 export type Role =
   | "exact"
@@ -351,7 +589,14 @@ export type Role =
   | "event"
   | "interval-stable"
   | "interval-saddle"
-  | "interval-spiral";
+  | "interval-spiral"
+  | "quasi-periodic"
+  | "fold"
+  | "torus-bifurcation"
+  | "across-manifold"
+  | "growth"
+  | "basins"
+  | "downward";
 
 /** One thing that is drawn, with its meaning and its numbers. */
 export interface FigureSeries {
@@ -366,6 +611,7 @@ export interface FigureSeries {
   label: string | null;
   /** Where the label sits, 0 to 1 along the points. */
   labelAt: number;
+  /** Of a `field`: `x` the columns' places, `y` the rows', `z` the numbers, index i_y * x.length + i_x. */
   columns: { x: Float64Array; y: Float64Array; z?: Float64Array };
   /** Index at which each separate piece begins; empty: one piece. */
   pieces: Uint32Array;
@@ -377,6 +623,26 @@ export interface Motion {
   u_p: Float64Array;
   u_g: Float64Array;
   u: Float64Array;
+}
+
+/** A line of a figure that is a table: what is printed beside what is computed. */
+export interface TableRow {
+  /** Where it is printed, in label markup. */
+  where: string;
+  /** The quantity, in label markup. */
+  what: string;
+  /** A number, words, or null where there is nothing. */
+  printed: number | string | null;
+  /** As corrected here. */
+  ours: number | string | null;
+  /** As the exact system has it. */
+  exact: number | string | null;
+  /** Printed less exact, where both are numbers. */
+  deviation: number | null;
+  /** Corrected less exact. */
+  ownDeviation: number | null;
+  /** How it is known. */
+  remark: string;
 }
 
 /** A computed figure: plain data that can be cloned, stored, posted and drawn again. */
@@ -391,6 +657,8 @@ export interface Figure extends Provenance {
   /** One sentence made from the data. */
   summary: string;
   notes: string[];
+  /** The lines of a figure that is a table (figure E); null for the others. */
+  table: TableRow[] | null;
   motion: Motion | null;
 }
 
@@ -475,6 +743,18 @@ export interface Gear {
   timeResponse(p?: Parameters, options?: TimeResponseOptions): TimeResponse;
   poincare(p?: Parameters, options?: PoincareOptions): Poincare;
   periodicOrbit(p?: Parameters, options?: PeriodicOrbitOptions): PeriodicOrbit;
+  tongueEdges(p: Parameters | undefined, options: TongueEdgesOptions): TongueEdges;
+  tongueBoundary(p: Parameters | undefined, options: TongueBoundaryOptions): TongueBoundary;
+  stabilityChart(p: Parameters | undefined, options: StabilityChartOptions): StabilityChart;
+  branch(p?: Parameters, options?: BranchOptions): Branch;
+  diagram(p?: Parameters, options?: DiagramOptions): Diagram;
+  torus(p?: Parameters, options?: ToleranceOption): Torus;
+  sweep(p: Parameters | undefined, options: SweepOptions): Sweep;
+  lyapunov(p?: Parameters, options?: LyapunovOptions): Lyapunov;
+  basin(p: Parameters | undefined, options: BasinOptions): Basin;
+  contactMargin(p: Parameters, options?: ContactMarginOptions): ContactMargin;
+  leastLoad(p: Parameters, options?: ToleranceOption): LeastLoad;
+  spectrum(p?: Parameters, options?: SpectrumOptions): AmplitudeSpectrum;
   figures(): FigureInfo[];
   figure(id: string, p?: Parameters): Figure;
   progress(id: string, p?: Parameters): FigureProgress;
@@ -541,6 +821,7 @@ export type GearErrorCode =
   | "option"
   | "no-convergence"
   | "escaped"
+  | "not-found"
   | "numerics"
   | "theory"
   | "drawing"

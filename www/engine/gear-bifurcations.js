@@ -16,6 +16,22 @@ import { createBindings } from "./bindings.js";
 
 const WASM_FILE = "gear-bifurcations_bg.wasm";
 
+/** The calls that take parameters and options and are handed on as they are. */
+const STUDIES = /** @type {const} */ ([
+  "tongueEdges",
+  "tongueBoundary",
+  "stabilityChart",
+  "branch",
+  "diagram",
+  "torus",
+  "sweep",
+  "lyapunov",
+  "basin",
+  "contactMargin",
+  "leastLoad",
+  "spectrum",
+]);
+
 /** The one error that every call throws. */
 export class GearError extends Error {
   /** @param {GearErrorFields} fields */
@@ -231,6 +247,12 @@ function createGear(module) {
       call((raw) => raw.poincare(p, options)),
     periodicOrbit: (/** @type {unknown} */ p, /** @type {unknown} */ options) =>
       call((raw) => raw.periodicOrbit(p, options)),
+    ...Object.fromEntries(
+      STUDIES.map((name) => [
+        name,
+        (/** @type {unknown} */ p, /** @type {unknown} */ options) => call((raw) => raw[name](p, options)),
+      ]),
+    ),
     figures: () => call((raw) => raw.figures()),
     figure: (/** @type {unknown} */ id, /** @type {unknown} */ p) => call((raw) => raw.figure(id, p)),
     progress,
@@ -248,5 +270,5 @@ function createGear(module) {
     value: (/** @type {unknown} */ job, /** @type {unknown} */ repetitions) =>
       call((raw) => raw.bench(job, repetitions)),
   });
-  return Object.freeze(gear);
+  return /** @type {Gear} */ (/** @type {unknown} */ (Object.freeze(gear)));
 }

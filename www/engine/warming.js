@@ -48,7 +48,7 @@ function sample(gear) {
     params: /** @type {any} */ (params),
     grid: [1, 1],
     axes: [
-      { frame: "sample", title: "*Sample*", x: axis("x"), y: axis("y"), z: null, cell: [0, 0], span: [1, 1], equalAspect: false, bare: false },
+      { frame: "sample", title: "*Sample*", x: axis("x"), y: axis("y"), z: null, bar: null, cell: [0, 0], span: [1, 1], equalAspect: false, bare: false },
     ],
     series: [
       series("curve", "paper", true),
@@ -60,6 +60,7 @@ function sample(gear) {
     notes: [],
     method: "",
     error: {},
+    table: null,
     motion: null,
   };
 }

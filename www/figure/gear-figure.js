@@ -25,6 +25,7 @@ import { plain, sentence } from "./markup.js";
 import { Clock } from "./motion.js";
 import { forgetPaint, requestPaint } from "./paint-queue.js";
 import { watchPointer } from "./pointer.js";
+import { showRows } from "./rows.js";
 import { services } from "./services.js";
 import { furnish } from "./shadow.js";
 import { showTables } from "./table.js";
@@ -214,6 +215,7 @@ export class GearFigure extends HTMLElement {
     this.disconnectedCallback();
     this.#panel = null;
     this.#parts.controls.replaceChildren();
+    this.#parts.rows.replaceChildren();
     this.#parts.stage.classList.remove("live");
     this.#figure = null;
     this.#maps = [];
@@ -353,6 +355,7 @@ export class GearFigure extends HTMLElement {
     const first = this.#figure === null;
     this.#figure = figure;
     if (this.#clock) this.#clock.motion = figure.motion;
+    if (figure.table !== null) showRows(this.#parts.rows, figure);
     // Nobody watches a figure out of sight fill in.
     if (complete || first || this.inSight) this.#repaint();
     if (!complete) return;

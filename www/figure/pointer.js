@@ -40,7 +40,9 @@ export function watchPointer(canvas, hooks) {
     const map = frameAt(hooks.maps(), pixel);
     canvas.classList.toggle("turns", map !== undefined && map.projection !== null);
     canvas.classList.toggle("plane", map !== undefined && map.projection === null);
-    canvas.classList.toggle("handle", map !== undefined && parameterOf(map) !== null);
+    const along = map === undefined ? [] : movable(map);
+    canvas.classList.toggle("handle", along.length === 1);
+    canvas.classList.toggle("handles", along.length === 2);
     hooks.read(readout(figure, hooks.maps(), pixel));
   };
   /** @param {MouseEvent | null} event */
@@ -50,27 +52,33 @@ export function watchPointer(canvas, hooks) {
   };
 
   /**
-   * The parameter that the handle of a frame stands for: the one along its horizontal axis.
+   * The parameters that the handle of a frame stands for: those along its axes.
    *
    * @param {FrameMap} map
+   * @returns {("x" | "y")[]} the axes along which it can be moved
    */
-  const parameterOf = (map) => {
+  const movable = (map) => {
     const figure = hooks.figure();
-    if (figure === null || map.projection !== null) return null;
-    const name = frameOf(figure, map)?.x.name ?? "";
+    const frame = figure === null || map.projection !== null ? undefined : frameOf(figure, map);
+    if (figure === null || frame === undefined) return [];
     const handled = figure.series.some(({ frame: home, role }) => home === map.name && role === "handle");
-    return handled && hooks.hasParameter(name) ? name : null;
+    const axes = /** @type {const} */ (["x", "y"]);
+    return handled ? axes.filter((axis) => hooks.hasParameter(frame[axis].name)) : [];
   };
   /** @param {MouseEvent} event */
   const move = (event) => {
     const pixel = pixelUnder(event, canvas);
     // A drag may leave the frame; the nearest frame with a handle keeps it.
-    const map = frameAt(hooks.maps(), pixel) ?? hooks.maps().find((candidate) => parameterOf(candidate) !== null);
-    const parameter = map === undefined ? null : parameterOf(map);
-    if (map === undefined || parameter === null) return;
-    const step = 10 ** Math.floor(Math.log10(pixelSize(map).x));
-    const value = Math.min(map.x.high, Math.max(map.x.low, dataAt(map, pixel).x));
-    hooks.set(parameter, roundTo(value, step));
+    const map = frameAt(hooks.maps(), pixel) ?? hooks.maps().find((candidate) => movable(candidate).length > 0);
+    const figure = hooks.figure();
+    const frame = figure === null || map === undefined ? undefined : frameOf(figure, map);
+    if (map === undefined || frame === undefined) return;
+    const [place, size] = [dataAt(map, pixel), pixelSize(map)];
+    for (const axis of movable(map)) {
+      const step = 10 ** Math.floor(Math.log10(size[axis]));
+      const value = Math.min(map[axis].high, Math.max(map[axis].low, place[axis]));
+      hooks.set(frame[axis].name, roundTo(value, step));
+    }
   };
 
   canvas.addEventListener("pointermove", (event) => {
@@ -81,7 +89,7 @@ export function watchPointer(canvas, hooks) {
   canvas.addEventListener("pointerdown", (event) => {
     note(event);
     const map = frameAt(hooks.maps(), pixelUnder(event, canvas));
-    if (event.button !== 0 || map === undefined || parameterOf(map) === null) return;
+    if (event.button !== 0 || map === undefined || movable(map).length === 0) return;
     dragging = event.pointerId;
     canvas.setPointerCapture(event.pointerId);
     move(event);

@@ -33,7 +33,12 @@ export function readout(figure, maps, pixel) {
   words.append(elements(frame.x.label), ` = ${showTo(x, size.x)}`);
   // A scale along one line has no second coordinate.
   if (frame.y.label !== "") words.append(", ", elements(frame.y.label), ` = ${showTo(y, size.y)}`);
-  const meaning = under(figure, map, pixel);
+  const field = figure.series.find((series) => series.frame === map.name && series.mark === "field");
+  const value = field === undefined ? null : valueAt(field, x, y);
+  if (value !== null && frame.bar !== null) {
+    words.append(", ", elements(frame.bar.label), ` = ${showTo(value, (frame.bar.high - frame.bar.low) / 500)}`);
+  }
+  const meaning = under(figure, map, pixel) ?? (value === null ? null : (field?.meaning ?? null));
   if (meaning !== null) words.append(": ", sentence(meaning));
   return words;
 }
@@ -49,7 +54,7 @@ function under(figure, map, pixel) {
   let meaning = null;
   // What is drawn last lies on top and wins where two are equally near.
   for (const series of figure.series) {
-    if (series.frame !== map.name || series.mark === "text" || series.mark === "band") continue;
+    if (series.frame !== map.name || ["text", "band", "field"].includes(series.mark)) continue;
     const distance = squaredDistance(series, map, pixel);
     if (distance <= nearest) {
       nearest = distance;
@@ -57,6 +62,30 @@ function under(figure, map, pixel) {
     }
   }
   return meaning;
+}
+
+/**
+ * The number of a field nearest to a place, or null outside of it.
+ *
+ * @param {FigureSeries} series
+ * @param {number} x
+ * @param {number} y
+ */
+function valueAt({ columns }, x, y) {
+  const column = nearest(columns.x, x);
+  const row = nearest(columns.y, y);
+  if (column === null || row === null) return null;
+  return columns.z?.[row * columns.x.length + column] ?? null;
+}
+
+/**
+ * @param {Float64Array} places  Evenly spaced and rising.
+ * @param {number} wanted
+ */
+function nearest(places, wanted) {
+  const last = places.length - 1;
+  const along = last === 0 ? 0 : ((wanted - places[0]) / (places[last] - places[0])) * last;
+  return along < -0.5 || along > last + 0.5 ? null : Math.min(last, Math.max(0, Math.round(along)));
 }
 
 /**

@@ -9,6 +9,7 @@
  * @property {HTMLElement} status  For the eye.
  * @property {HTMLElement} heard  For the ear: what a change has led to.
  * @property {HTMLElement} controls
+ * @property {HTMLElement} rows  The table of a figure that is one.
  * @property {HTMLDetailsElement} data
  */
 
@@ -25,6 +26,7 @@ canvas.turns { cursor: grab; }
 canvas.turns.grasped { cursor: grabbing; }
 canvas.plane { cursor: crosshair; }
 canvas.handle { cursor: ew-resize; }
+canvas.handles { cursor: move; }
 .bar { display: grid; grid-template-columns: minmax(0, 1fr) auto; align-items: center; column-gap: 1rem; min-block-size: 2.75rem; margin-block-end: 0.5rem; }
 .readout { grid-area: 1 / 1; margin: 0; font-size: 0.875rem; line-height: 1.25; color: var(--quiet, #555);
   font-variant-numeric: tabular-nums; max-block-size: 2.5em; overflow: hidden; }
@@ -64,6 +66,14 @@ table { border-collapse: collapse; font-size: 0.875rem; font-variant-numeric: ta
 caption { text-align: start; padding-block: 0.25rem; color: var(--quiet, #555); }
 th, td { text-align: end; padding: 0.05rem 0.75rem 0.05rem 0; font-weight: 400; }
 th { border-block-end: 1px solid var(--rule, #bbb); }
+.rows:empty { display: none; }
+.rows { overflow: auto; max-block-size: 44rem; margin-block: 0.5rem 1rem; }
+.rows table { inline-size: 100%; margin: 0; line-height: 1.35; }
+.rows th, .rows td { text-align: start; vertical-align: top; padding-block: 0.3rem; border-block-end: 1px solid var(--rule, #bbb); }
+.rows thead th { position: sticky; inset-block-start: 0; background: var(--ground, #fff); font-weight: 600; }
+.rows tbody th { white-space: nowrap; font-weight: 600; }
+.rows .number { text-align: end; white-space: nowrap; }
+.rows sub, .rows sup { font-size: 0.72em; line-height: 0; }
 .data p { margin: 0 0 0.5rem; font-size: 0.9375rem; max-inline-size: 42rem; }
 @container (inline-size < 30rem) {
   .stage { aspect-ratio: var(--narrow-aspect, var(--aspect, 1.7)); }
@@ -123,8 +133,9 @@ export function furnish(root) {
   const summary = document.createElement("summary");
   summary.textContent = "In words and numbers";
   data.append(summary);
-  root.append(stage, bar, heard, controls, data);
-  return { stage, canvas, readout, buttons, status, heard, controls, data };
+  const rows = part("div", "rows");
+  root.append(stage, bar, heard, controls, rows, data);
+  return { stage, canvas, readout, buttons, status, heard, controls, rows, data };
 }
 
 /**

@@ -56,7 +56,7 @@ function tables(figure) {
     return [table("The motion that is shown", columns, ROWS)];
   }
   const told = figure.series.filter(
-    ({ role, mark, columns }) => !SHAPES.has(role) && mark !== "text" && mark !== "band" && columns.x.length > 0,
+    ({ role, mark, columns }) => !SHAPES.has(role) && !["text", "band", "field"].includes(mark) && columns.x.length > 0,
   );
   const rows = Math.max(FEWEST, Math.floor(ROWS / Math.max(1, told.length)));
   return told.map((series) => seriesTable(figure, series, rows));

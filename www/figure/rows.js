@@ -1,0 +1,101 @@
+/**
+ * A figure that is a table: what is printed beside what is computed, a row each, filled in as they come.
+ *
+ * @typedef {import("./services.js").Figure} Figure
+ * @typedef {import("../engine/gear-bifurcations.js").TableRow} TableRow
+ */
+
+import { elements } from "./markup.js";
+
+/** Digits of a number in the table. */
+const DIGITS = 8;
+/** Digits of a deviation: its size is what matters. */
+const FEW = 2;
+/** Differences below this are rounding. */
+const ROUNDING = 1e-12;
+
+const HEADS = ["", "where", "what", "printed", "corrected", "exact", "printed − exact", "corrected − exact", "how it is known"];
+
+/**
+ * Puts the rows into their place; those that are there already stay as they are, so that a reader's place is kept.
+ *
+ * @param {HTMLElement} place
+ * @param {Figure} figure
+ */
+export function showRows(place, figure) {
+  const rows = figure.table ?? [];
+  const table = place.querySelector("table") ?? begin(place, figure.title);
+  const body = table.tBodies[0];
+  const key = (/** @type {TableRow} */ row) => JSON.stringify(row);
+  rows.forEach((row, index) => {
+    const old = body.rows[index];
+    if (old?.dataset.key === key(row)) return;
+    const made = line(row, index + 1);
+    made.dataset.key = key(row);
+    if (old) old.replaceWith(made);
+    else body.append(made);
+  });
+  while (body.rows.length > rows.length) body.deleteRow(-1);
+}
+
+/**
+ * @param {HTMLElement} place
+ * @param {string} title
+ */
+function begin(place, title) {
+  const table = document.createElement("table");
+  table.createCaption().textContent = title;
+  const head = table.createTHead().insertRow();
+  for (const words of HEADS) {
+    const cell = document.createElement("th");
+    cell.scope = "col";
+    cell.textContent = words;
+    if (words === "") cell.setAttribute("aria-label", "line");
+    head.append(cell);
+  }
+  table.createTBody();
+  place.replaceChildren(table);
+  // A region that scrolls must be reachable by keys.
+  place.tabIndex = 0;
+  place.setAttribute("role", "region");
+  place.setAttribute("aria-label", title);
+  return table;
+}
+
+/**
+ * @param {TableRow} row
+ * @param {number} number
+ */
+function line(row, number) {
+  const made = document.createElement("tr");
+  made.insertCell().textContent = String(number);
+  const name = document.createElement("th");
+  name.scope = "row";
+  name.append(elements(row.where));
+  made.append(name);
+  made.insertCell().append(elements(row.what));
+  for (const entry of [row.printed, row.ours, row.exact]) {
+    const cell = made.insertCell();
+    if (typeof entry === "number") {
+      cell.className = "number";
+      cell.textContent = written(entry, DIGITS);
+    } else if (entry !== null) {
+      cell.append(elements(entry));
+    }
+  }
+  for (const deviation of [row.deviation, row.ownDeviation]) {
+    const cell = made.insertCell();
+    cell.className = "number";
+    if (deviation !== null) cell.textContent = Math.abs(deviation) < ROUNDING ? "0" : written(deviation, FEW);
+  }
+  made.insertCell().append(elements(row.remark));
+  return made;
+}
+
+/**
+ * @param {number} value
+ * @param {number} digits
+ */
+function written(value, digits) {
+  return String(Number(value.toPrecision(digits))).replaceAll("-", "−");
+}
