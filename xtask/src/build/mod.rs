@@ -11,8 +11,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// No visitor should wait for more wasm than this, in bytes as it travels (gzipped).
-pub const WASM_CEILING: usize = 307_200;
+/// No visitor should wait for more wasm than this, in bytes as it travels (gzipped): as much for the exact answers as
+/// for the paper's figures and the drawing, which alone stayed below the half of it.
+pub const WASM_CEILING: usize = 614_400;
 
 /// What a build made.
 pub struct Built {
