@@ -26,7 +26,9 @@ const services = engine.then((running) => ({
 }));
 services.catch(() => {});
 
-const all = document.querySelectorAll("gear-figure").length;
+/** The paper's own figures: what the page opens with. Those with letters come after. */
+const PAPER = /^\d/;
+const all = [...document.querySelectorAll("gear-figure")].filter(isOfThePaper).length;
 let drawn = 0;
 /** @type {(() => void)[]} */
 let waiting = [];
@@ -39,8 +41,18 @@ function complete() {
   void engine.then((running) => running.complete());
 }
 
-/** Marks what readers wait for: the first live figure, and the last. */
-function countDrawing() {
+/** @param {Element} figure */
+function isOfThePaper(figure) {
+  return PAPER.test(figure.getAttribute("figure") ?? "");
+}
+
+/**
+ * Marks what readers wait for: the first live figure, and the last.
+ *
+ * @param {Element} figure
+ */
+function countDrawing(figure) {
+  if (!isOfThePaper(figure)) return;
   drawn += 1;
   if (drawn === 1) performance.mark("first-figure");
   if (drawn === all) {

@@ -99,11 +99,11 @@ pub fn ordered(values: [(f64, f64); 6]) -> Spectrum {
 fn sorted(eigenvalues: &[Complex<f64>], scale: f64) -> Spectrum {
     let mut ordered = [Complex::new(0.0, 0.0); 6];
     ordered.copy_from_slice(eigenvalues);
-    // Moduli that differ by rounding alone count as equal, so that pairs stay together.
-    let key = |value: &Complex<f64>| (value.norm() * 1e12).round();
+    // The two of a pair have the same modulus to the last bit, so that they stay together.
     ordered.sort_unstable_by(|left, right| {
-        key(right)
-            .total_cmp(&key(left))
+        right
+            .norm()
+            .total_cmp(&left.norm())
             .then(right.im.abs().total_cmp(&left.im.abs()))
             .then(right.im.total_cmp(&left.im))
             .then(right.re.total_cmp(&left.re))

@@ -26,9 +26,17 @@ import { warmDrawing } from "./warming.js";
 
 export { GearError, PRIORITY };
 
+/** Figures of the paper have its numbers; those beyond it have letters, and wait until the paper's are there. */
+const OF_THE_PAPER = /^\d/;
+
 export class Engine {
   #gear;
   #pool;
+  #open = () => {};
+  /** @type {Promise<void>} */
+  #opened = new Promise((resolve) => {
+    this.#open = resolve;
+  });
   /** What is known of each figure, in the paper's order. @type {ReadonlyMap<string, FigureInfo>} */
   figures;
   /** Every parameter there is, full names and short forms. @type {ReadonlyMap<string, ParameterInfo>} */
@@ -61,27 +69,33 @@ export class Engine {
         return;
       }
       const heavy = this.figures.get(id)?.heavy ?? false;
+      let ticket = 0;
       const abandon = () => {
         this.#pool.cancel(ticket);
         reject(signal?.reason);
       };
       const over = () => signal?.removeEventListener("abort", abandon);
-      const ticket = this.#pool.run(
-        { id, given, heavy, priority },
-        {
-          partial: (figure) => partial?.(figure),
-          restarted: () => restarted?.(),
-          done: (figure) => {
-            over();
-            resolve(figure);
+      const run = () => {
+        if (signal?.aborted) return;
+        ticket = this.#pool.run(
+          { id, given, heavy, priority },
+          {
+            partial: (figure) => partial?.(figure),
+            restarted: () => restarted?.(),
+            done: (figure) => {
+              over();
+              resolve(figure);
+            },
+            failed: (error) => {
+              over();
+              reject(new GearError(error));
+            },
           },
-          failed: (error) => {
-            over();
-            reject(new GearError(error));
-          },
-        },
-      );
+        );
+      };
       signal?.addEventListener("abort", abandon, { once: true });
+      if (OF_THE_PAPER.test(id)) run();
+      else void this.#opened.then(run);
     });
   }
 
@@ -100,6 +114,7 @@ export class Engine {
   /** Lets computations run to their ends: until this is called they stop at their first picture. */
   complete() {
     this.#pool.complete();
+    this.#open();
   }
 
   /** What tests need to look at and to break. */

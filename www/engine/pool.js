@@ -27,7 +27,7 @@
  * @property {() => void} restarted  The worker died; the computation begins anew in its successor.
  */
 
-/** @typedef {{wanted: Wanted, answers: Answers, reruns: number}} Task */
+/** @typedef {{wanted: Wanted, answers: Answers, deaths: number}} Task  Deaths that it is to blame for. */
 /**
  * @typedef {object} Seat
  * @property {Worker} worker
@@ -36,12 +36,13 @@
  * @property {number} silent  Questions it has not answered.
  * @property {number} deaths  Workers that died here one after the other without ever being ready.
  * @property {boolean} closed  Given up; the next computation tries once more.
+ * @property {number} current  The ticket of the computation that the worker turned to last; 0 for none.
  */
 
 /** How often busy workers are asked for a sign of life, ms. */
 const PULSE = 1000;
 /** A busy worker that lets so many of these questions pass is dead. A step takes 15 ms. */
-const PATIENCE = 4;
+const PATIENCE = 8;
 /** The same for one that is still starting: its script may come over a slow line. */
 const PATIENCE_AT_START = 60;
 /** A worker that dies so often before it was ever ready will not come up. */
@@ -90,7 +91,7 @@ export class Pool {
     const ticket = ++this.#tickets;
     const seat = this.#seatFor(wanted.heavy);
     if (seat.closed) this.#reopen(seat);
-    seat.tasks.set(ticket, { wanted, answers, reruns: 0 });
+    seat.tasks.set(ticket, { wanted, answers, deaths: 0 });
     this.#say(seat, { type: "run", ticket, ...wanted });
     this.#pulse ??= setInterval(() => this.#check(), PULSE);
     return ticket;
@@ -131,7 +132,7 @@ export class Pool {
 
   /** @returns {Seat} */
   #newSeat() {
-    return { worker: newWorker(), tasks: new Map(), ready: false, silent: 0, deaths: 0, closed: false };
+    return { worker: newWorker(), tasks: new Map(), ready: false, silent: 0, deaths: 0, closed: false, current: 0 };
   }
 
   /** @param {Seat} seat */
@@ -140,6 +141,7 @@ export class Pool {
     seat.ready = false;
     seat.silent = 0;
     seat.closed = false;
+    seat.current = 0;
     this.#open(seat);
   }
 
@@ -186,6 +188,10 @@ export class Pool {
       seat.deaths = 0;
     }
     if (message.type === "ready" || message.type === "pong") return;
+    if (message.type === "step") {
+      seat.current = message.ticket;
+      return;
+    }
     const task = seat.tasks.get(message.ticket);
     if (task === undefined) {
       this.dropped += 1;
@@ -222,9 +228,12 @@ export class Pool {
     seat.deaths += 1;
     this.replaced += 1;
     const hopeless = seat.deaths >= HOPELESS;
+    // Whatever it was at is to blame; if that is not known, everything it had.
+    const blamed = seat.tasks.has(seat.current) ? seat.current : 0;
     for (const [ticket, task] of [...seat.tasks]) {
+      if (blamed === 0 || ticket === blamed) task.deaths += 1;
       // What killed two workers will kill a third.
-      if (!hopeless && task.reruns === 0) continue;
+      if (!hopeless && task.deaths < 2) continue;
       seat.tasks.delete(ticket);
       task.answers.failed(deathNotice());
     }
@@ -234,7 +243,6 @@ export class Pool {
     }
     this.#reopen(seat);
     for (const [ticket, task] of seat.tasks) {
-      task.reruns += 1;
       this.#say(seat, { type: "run", ticket, ...task.wanted });
       task.answers.restarted();
     }

@@ -29,7 +29,8 @@
  * @typedef {{type: "done", ticket: number, figure: Figure}} Done
  * @typedef {{type: "failed", ticket: number, error: GearErrorFields}} Failed
  * @typedef {{type: "pong"}} Pong
- * @typedef {Ready | Partial | Done | Failed | Pong} FromWorker
+ * @typedef {{type: "step", ticket: number}} Step  It turns to this computation: if it dies now, this one is to blame.
+ * @typedef {Ready | Partial | Done | Failed | Pong | Step} FromWorker
  */
 
 /** What a reader is waiting for comes before what is out of sight. */

@@ -20,6 +20,8 @@ const jobs = new Map();
 /** @type {Promise<Gear> | null} */
 let loading = null;
 let working = false;
+/** The computation that the page was told of last. */
+let told = 0;
 /** The page is opening: a first picture of everything counts more than any picture completed. */
 let firstPictures = false;
 
@@ -73,6 +75,10 @@ function comesBefore(one, other) {
  */
 function step(gear, job) {
   const { ticket, id, given, heavy } = job.run;
+  if (told !== ticket) {
+    told = ticket;
+    post({ type: "step", ticket });
+  }
   try {
     if (!heavy) {
       finish(job, gear.figure(id, given));
