@@ -246,3 +246,108 @@ impl Factors {
         next
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const KNOWN: Factors = Factors { count: 3, p: [-1.9, 0.4, 2.3], q: [1.1, 0.7, 1.2] };
+
+    fn product(of: &Factors) -> Characteristic {
+        let mut powers = vec![1.0];
+        for i in 0..of.count {
+            let mut next = vec![0.0; powers.len() + 2];
+            for (k, value) in powers.iter().enumerate() {
+                next[k] += value;
+                next[k + 1] += of.p[i] * value;
+                next[k + 2] += of.q[i] * value;
+            }
+            powers = next;
+        }
+        let mut coefficients = [0.0; 6];
+        coefficients[..2 * of.count].copy_from_slice(&powers[1..]);
+        Characteristic { degree: 2 * of.count, coefficients }
+    }
+
+    #[test]
+    fn the_polynomial_of_a_matrix_is_that_of_its_blocks() {
+        // Companion blocks of the factors, mixed by a matrix of ones above the diagonal and its inverse.
+        let mut blocks = SMatrix::<f64, 6, 6>::zeros();
+        for i in 0..3 {
+            blocks[(2 * i, 2 * i)] = -KNOWN.p[i];
+            blocks[(2 * i, 2 * i + 1)] = -KNOWN.q[i];
+            blocks[(2 * i + 1, 2 * i)] = 1.0;
+        }
+        let mixer = SMatrix::<f64, 6, 6>::from_fn(|i, j| f64::from(u8::from(j >= i)));
+        let mixed = mixer * blocks * mixer.try_inverse().expect("triangular");
+        let rows: [[f64; 6]; 6] = std::array::from_fn(|i| std::array::from_fn(|j| mixed[(i, j)]));
+        let found = Characteristic::of(&rows, KNOWN.q.iter().product());
+        for (value, exact) in found.coefficients.iter().zip(&product(&KNOWN).coefficients) {
+            assert!((value - exact).abs() < 1e-12, "{found:?}");
+        }
+        let roots = found.roots().expect("converges");
+        for (re, im) in roots.re.iter().zip(&roots.im) {
+            let of_factor = |i: usize| {
+                (re * re - im * im + KNOWN.p[i] * re + KNOWN.q[i]).hypot(2.0 * re * im + KNOWN.p[i] * im)
+            };
+            assert!((0..3).any(|i| of_factor(i) < 1e-12), "{roots:?}");
+        }
+    }
+
+    #[test]
+    fn factors_are_refined_from_near_and_found_from_nothing() {
+        let polynomial = product(&KNOWN);
+        let mut near = KNOWN;
+        for i in 0..3 {
+            near.p[i] += 0.03 * (i as f64 - 1.0);
+            near.q[i] -= 0.02;
+        }
+        assert!(near.refine(&polynomial, ROUNDING).is_some());
+        for i in 0..3 {
+            assert!(
+                (near.p[i] - KNOWN.p[i]).abs() < 1e-14 && (near.q[i] - KNOWN.q[i]).abs() < 1e-14,
+                "{near:?}"
+            );
+        }
+        let found = Factors::find(&polynomial).expect("converges");
+        assert!((found.radius() - KNOWN.radius()).abs() < 1e-13, "{found:?}");
+        // The factors' roots are real in the third only: (2.3 + sqrt(0.49))/2.
+        assert_eq!(KNOWN.top(), 2);
+        assert!((KNOWN.radius() - 1.5).abs() < 1e-15);
+    }
+
+    #[test]
+    fn refinement_gives_up_where_two_factors_are_one() {
+        let twice = Factors { count: 3, p: [0.5, 0.5, 2.0], q: [0.9, 0.9, 0.4] };
+        let mut guess = twice;
+        guess.p[0] += 1e-3;
+        assert_eq!(guess.refine(&product(&twice), ROUNDING), None);
+    }
+
+    #[test]
+    fn exponents_are_carried_to_multipliers_and_parabolas_continued() {
+        // Roots -0.1 +- 2 i, and -1 and -3.
+        let exponents = Factors { count: 2, p: [0.2, 4.0, 0.0], q: [4.01, 3.0, 0.0] };
+        let after = exponents.propagated(0.7);
+        let decay = (-0.07_f64).exp();
+        assert!((after.p[0] + 2.0 * decay * 1.4_f64.cos()).abs() < 1e-15);
+        assert!((after.q[0] - decay * decay).abs() < 1e-15);
+        assert!((after.p[1] + (-0.7_f64).exp() + (-2.1_f64).exp()).abs() < 1e-15);
+        assert!((after.q[1] - (-2.8_f64).exp()).abs() < 1e-15);
+        let at = |t: f64| Factors { count: 2, p: [1.0 + t * t, t, 0.0], q: [2.0 - t, 3.0 * t * t, 0.0] };
+        let next = at(2.0).extrapolated(&at(1.0), &at(0.0));
+        assert_eq!(next, at(3.0));
+    }
+
+    #[test]
+    fn reciprocal_polynomials_stay_what_they_are() {
+        let circle = product(&Factors { count: 3, p: [-1.2, 0.3, 1.7], q: [1.0; 3] });
+        let same = circle.reciprocal();
+        for (left, right) in circle.coefficients.iter().zip(&same.coefficients) {
+            assert!((left - right).abs() < 1e-15);
+        }
+        // The product of 2 - p at -1, and of 2 + p at 1.
+        assert!((same.value(-1.0) - 3.2 * 1.7 * 0.3).abs() < 1e-14);
+        assert!((same.value(1.0) - 0.8 * 2.3 * 3.7).abs() < 1e-14);
+    }
+}

@@ -273,3 +273,68 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAIR: Parametric<3, 6> = Parametric {
+        stiffness: [3.1, 9.3, 0.0],
+        damping: [0.04, 0.11, 0.0],
+        coupling: [0.88, -1.2, 1.0],
+        mutual_damping: 0.07,
+    };
+
+    #[test]
+    fn without_pulsation_the_monodromy_is_that_of_the_damped_oscillator() {
+        let (rate, square, period) = (0.15, 2.3_f64, 2.0 * PI / 0.9);
+        let system =
+            Parametric::<1, 2> { stiffness: [1.3], damping: [0.1], coupling: [1.0], mutual_damping: 0.2 };
+        let found = system.monodromy(0.0, 0.9, 1000, 1.0).expect("computes");
+        let omega = (square - rate * rate).sqrt();
+        let (sine, cosine) = (omega * period).sin_cos();
+        let decay = (-rate * period).exp();
+        let expected = [
+            [cosine + rate / omega * sine, sine / omega],
+            [-square / omega * sine, cosine - rate / omega * sine],
+        ];
+        for (row, exact) in found.iter().flatten().zip(expected.iter().flatten()) {
+            assert!((row - decay * exact).abs() < 1e-13, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn the_determinant_is_liouvilles_and_finer_steps_change_nothing() {
+        for (depth, omega) in [(0.0, 0.7), (0.6, 1.6), (1.0, 0.3), (0.9, 12.0)] {
+            let found = PAIR.monodromy(depth, omega, 1000, 1.0).expect("computes");
+            let finer = PAIR.monodromy(depth, omega, 1000, 3.0).expect("computes");
+            let size = found.iter().flatten().fold(1.0_f64, |most, value| most.max(value.abs()));
+            for (value, exact) in found.iter().flatten().zip(finer.iter().flatten()) {
+                assert!((value - exact).abs() < 2e-13 * size, "{depth} {omega}: {value} {exact}");
+            }
+            let determinant = nalgebra::SMatrix::<f64, 6, 6>::from_fn(|i, j| found[i][j]).determinant();
+            let exact = (-2.0 * PI / omega * PAIR.damping_trace()).exp();
+            assert!((determinant - exact).abs() < 1e-12 * size.powi(3), "{determinant} {exact}");
+        }
+    }
+
+    #[test]
+    fn a_change_of_sign_of_the_depth_leaves_the_polynomial() {
+        let [one, other] =
+            [0.8, -0.8].map(|depth| PAIR.characteristic(depth, 1.1, 1000, 1.0).expect("computes"));
+        for (left, right) in one.coefficients.iter().zip(&other.coefficients) {
+            assert!((left - right).abs() < 1e-12, "{one:?} {other:?}");
+        }
+    }
+
+    #[test]
+    fn too_many_steps_and_numbers_beyond_all_are_refused() {
+        let many = PAIR.monodromy(0.5, 0.01, 100, 1.0);
+        assert!(matches!(many, Err(NumericsError::TooManySteps { steps: 100, .. })), "{many:?}");
+        // Negative stiffness: growth by exp(30 * 2 pi / 0.1).
+        let system =
+            Parametric::<1, 2> { stiffness: [-900.0], damping: [0.0], coupling: [1.0], mutual_damping: 0.0 };
+        let grown = system.monodromy(0.0, 0.1, 1_000_000, 1.0);
+        assert!(grown.is_err(), "{grown:?}");
+    }
+}
