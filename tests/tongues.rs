@@ -247,7 +247,9 @@ fn sharp_tips_of_light_damping_are_neither_jumped_nor_taken_for_undamped_ones() 
             let expected = hill::tip(&symmetric, mode).expect("computes").expect("below k0 = 1");
             let boundary = tongue_boundary(&p, tongue, [0.0, 0.5], 41, 1e-10).expect("followed");
             let tip = boundary.tip.expect("closed by damping");
-            assert!((tip[1] - expected.k0).abs() < 1e-9, "{zeta} {tongue:?}: {tip:?} {expected:?}");
+            // The square of k0 is what the conditions fix, to their rounding.
+            let fine = 1e-9_f64.max(1e-14 / expected.k0);
+            assert!((tip[1] - expected.k0).abs() < fine, "{zeta} {tongue:?}: {tip:?} {expected:?}");
             assert!((tip[0] - expected.omega).abs() < 1e-6, "{zeta} {tongue:?}: {tip:?} {expected:?}");
         }
     }

@@ -111,11 +111,11 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
         x: &mut [[f64; L]; N],
         w: &mut [[f64; L]; N],
     ) -> f64 {
-        let damping = self.damping.map(|d| h * d);
-        let stiffness = self.stiffness.map(|s| h * h * s);
+        let damping = self.damping.map(|d| -h * d);
+        let stiffness = self.stiffness.map(|s| -h * h * s);
         let (mutual, mean) = (h * self.mutual_damping, h * h);
         let (mut x_n, mut w_n) = (*x, *w);
-        let mut u = [[0.0; L]; ORDER];
+        let mut u = [[0.0; L]; ORDER + 1];
         let mut rate = [0.0; L];
         for i in 0..N {
             for lane in 0..L {
@@ -124,49 +124,19 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
             }
         }
         for n in 0..ORDER {
-            // Two sums side by side, because each addition waits for the one before it.
-            let (mut force, mut other) = ([0.0; L], [0.0; L]);
-            for lane in 0..L {
-                force[lane] = mutual * rate[lane] + mean * u[n][lane];
-            }
-            let terms = pulsation.len().min(n + 1);
-            let newest = &u[n + 1 - terms..=n];
-            let (pairs, rest) = newest.as_chunks::<2>();
-            // The oldest first, with the highest coefficient.
-            let mut kappa = terms;
-            for rows in pairs {
-                kappa -= 2;
-                let (high, low) = (pulsation[kappa + 1], pulsation[kappa]);
-                for lane in 0..L {
-                    force[lane] += high * rows[0][lane];
-                    other[lane] += low * rows[1][lane];
-                }
-            }
-            for row in rest {
-                for lane in 0..L {
-                    force[lane] += pulsation[0] * row[lane];
-                }
-            }
-            for lane in 0..L {
-                force[lane] += other[lane];
-            }
+            let force = force(mutual, &rate, mean, &u, n, pulsation);
             let part = reciprocal[n];
-            if n + 1 < ORDER {
-                for lane in 0..L {
-                    u[n + 1][lane] = rate[lane] * part;
-                }
-            }
+            u[n + 1] = rate.map(|value| value * part);
             rate = [0.0; L];
             for i in 0..N {
+                let (d, s, b) = (part * damping[i], part * stiffness[i], part * self.coupling[i]);
                 for lane in 0..L {
-                    let acceleration = damping[i] * w_n[i][lane]
-                        + stiffness[i] * x_n[i][lane]
-                        + self.coupling[i] * force[lane];
+                    let next = d * w_n[i][lane] + s * x_n[i][lane] - b * force[lane];
                     x_n[i][lane] = w_n[i][lane] * part;
-                    w_n[i][lane] = -acceleration * part;
+                    w_n[i][lane] = next;
                     x[i][lane] += x_n[i][lane];
-                    w[i][lane] += w_n[i][lane];
-                    rate[lane] += self.coupling[i] * w_n[i][lane];
+                    w[i][lane] += next;
+                    rate[lane] += self.coupling[i] * next;
                 }
             }
         }
@@ -272,6 +242,37 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
             Err(NumericsError::NotFinite { time: 2.0 * PI / omega })
         }
     }
+}
+
+/// Coefficient n of the force h z b.W + h^2 U + the pulsation's product with U.
+#[inline]
+fn force<const L: usize>(
+    mutual: f64,
+    rate: &[f64; L],
+    mean: f64,
+    u: &[[f64; L]; ORDER + 1],
+    n: usize,
+    pulsation: &[f64],
+) -> [f64; L] {
+    // Two sums side by side, because each addition waits for the one before it.
+    let (mut force, mut other) = ([0.0; L], [0.0; L]);
+    let terms = pulsation.len().min(n + 1);
+    let (pairs, rest) = pulsation[..terms].as_chunks::<2>();
+    let (mut even, mut odd) = (n, n.wrapping_sub(1));
+    for kappa in pairs {
+        for lane in 0..L {
+            force[lane] += kappa[0] * u[even][lane];
+            other[lane] += kappa[1] * u[odd][lane];
+        }
+        even = even.wrapping_sub(2);
+        odd = odd.wrapping_sub(2);
+    }
+    for kappa in rest {
+        for lane in 0..L {
+            force[lane] += kappa * u[even][lane];
+        }
+    }
+    std::array::from_fn(|lane| (mutual * rate[lane] + mean * u[n][lane]) + (force[lane] + other[lane]))
 }
 
 #[cfg(test)]
