@@ -180,3 +180,16 @@ fn without_pulsation_multipliers_are_exponentials_of_the_spectrum() {
         assert!((radius - found.spectral_radius).abs() < 1e-7, "{radius} {} {p:?}", found.spectral_radius);
     }
 }
+
+#[test]
+fn charts_of_generated_systems_keep_the_error_they_state() {
+    let mut generator = Generator(29);
+    let (omega, k0) = (grid(0.5, 8.0, 60), grid(0.0, 1.0, 25));
+    for _ in 0..25 {
+        let p = generated(&mut generator);
+        let chart = stability_chart(&p, omega, k0, 1e-6).expect("computes");
+        assert!(chart.error < 1e-5, "{:e} {p:?}", chart.error);
+        let seen = worst(&p, &chart, &mut generator, 40);
+        assert!(seen <= chart.error, "{seen:e} {:e} {p:?}", chart.error);
+    }
+}

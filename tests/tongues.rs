@@ -254,3 +254,48 @@ fn sharp_tips_of_light_damping_are_neither_jumped_nor_taken_for_undamped_ones() 
         }
     }
 }
+
+#[test]
+fn boundaries_that_the_arc_cannot_follow_come_from_their_edges() {
+    // Other tongues run into these from the side.
+    for (m, k, damping, tongue) in [
+        (
+            [0.382_956_4, 0.382_956_4],
+            [1.452_599, 1.452_599],
+            [0.0, 0.012_816_7, 0.012_816_7],
+            Tongue::Primary2,
+        ),
+        (
+            [8.795_099_7, 0.367_429_4],
+            [1.769_549_6, 0.362_397_6],
+            [0.032_412_2, 0.0, 0.000_129_26],
+            Tongue::Combination,
+        ),
+        (
+            [28.047_709, 28.047_709],
+            [0.791_162_9, 0.791_162_9],
+            [0.000_989_6, 0.023_526, 0.023_526],
+            Tongue::Combination,
+        ),
+    ] {
+        let p = Parameters {
+            m_p: m[0],
+            m_g: m[1],
+            k_p: k[0],
+            k_g: k[1],
+            zeta: damping[0],
+            zeta_p: damping[1],
+            zeta_g: damping[2],
+            ..damped(1.0, 0.0)
+        };
+        let boundary = tongue_boundary(&p, tongue, [0.0, 1.0], 31, 1e-10).expect("computes");
+        assert!(boundary.method.starts_with("edges at one depth"), "{}", boundary.method);
+        assert!(boundary.omega.len() > 20 && boundary.tip.is_some());
+        for (omega, k0) in boundary.omega.iter().zip(&boundary.k0) {
+            // The tip is where the edges can no longer be told apart.
+            if [*omega, *k0] != boundary.tip.expect("just seen") {
+                assert!(from_circle(&p, *omega, *k0) < 1e-8, "{tongue:?} {omega} {k0}");
+            }
+        }
+    }
+}
