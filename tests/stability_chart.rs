@@ -3,9 +3,12 @@
 mod common;
 
 use common::{Generator, numbers};
+use gear_bifurcations::model::linear::LinearPair;
 use gear_bifurcations::model::parameters::{Parameters, Regime};
+use gear_bifurcations::numerics::floquet::{self, Matrix6};
 use gear_bifurcations::study::chart_work::ChartWork;
 use gear_bifurcations::study::grid::Grid;
+use gear_bifurcations::study::linear_floquet::LinearFloquet;
 use gear_bifurcations::study::multipliers::multipliers;
 use gear_bifurcations::study::stability_chart::{StabilityChart, stability_chart, tongues_in};
 use gear_bifurcations::study::tongue::{Tongue, tongue_edges};
@@ -128,5 +131,65 @@ fn the_chart_shows_the_tongues_and_each_has_edges() {
         let here = Parameters { k0: tongue.k0, ..p };
         let edges = tongue_edges(&here, Tongue::Near(tongue.omega), 1e-10).expect("found");
         assert!(edges.left.expect("open") < tongue.omega && tongue.omega < edges.right.expect("open"));
+    }
+}
+
+/// Parameters of the linear problem all over the ranges in which it is not refused for its stiffness.
+fn generated(generator: &mut Generator) -> Parameters {
+    let mut p = numbers(&[]);
+    (p.m_p, p.k_p) = (10_f64.powf(generator.within(-1.0, 1.5)), 10_f64.powf(generator.within(-1.0, 1.5)));
+    (p.m_g, p.k_g) = if generator.unit() < 0.4 {
+        (p.m_p, p.k_p)
+    } else {
+        (10_f64.powf(generator.within(-1.0, 1.5)), 10_f64.powf(generator.within(-1.0, 1.5)))
+    };
+    let mut damping = || if generator.unit() < 0.2 { 0.0 } else { 10_f64.powf(generator.within(-4.0, 0.3)) };
+    (p.zeta, p.zeta_p, p.zeta_g) = (damping(), damping(), damping());
+    p
+}
+
+#[test]
+fn without_pulsation_multipliers_are_exponentials_of_the_spectrum() {
+    let mut generator = Generator(17);
+    for _ in 0..60 {
+        let p = Parameters { k0: 0.0, omega: generator.within(0.5, 8.0), ..generated(&mut generator) };
+        let pair = LinearPair::new(&p);
+        let (b, s, c) = (pair.coupling(), pair.support_stiffness(), pair.damping_matrix());
+        let mut matrix = Matrix6::zeros();
+        for i in 0..3 {
+            matrix[(i, 3 + i)] = 1.0;
+            for j in 0..3 {
+                matrix[(3 + i, j)] = -b[i] * b[j] - if i == j { s[i] } else { 0.0 };
+                matrix[(3 + i, 3 + j)] = -c[i][j];
+            }
+        }
+        let exponents = floquet::spectrum(&matrix).expect("converges");
+        let period = p.mesh_period();
+        let found = multipliers(&p, 1e-13).expect("computes");
+        for (rate, turn) in exponents.re.iter().zip(&exponents.im) {
+            let size = (rate * period).exp();
+            let (re, im) = (size * (turn * period).cos(), size * (turn * period).sin());
+            let off =
+                (0..6).map(|i| (found.re[i] - re).hypot(found.im[i] - im)).fold(f64::INFINITY, f64::min);
+            assert!(off < 1e-7, "{off:e} {p:?}");
+        }
+        // And the factors that the chart starts from.
+        let linear = LinearFloquet::new(&p);
+        let at_rest = linear.at_rest().expect("converges").propagated(period);
+        let radius = at_rest.radius().max(linear.idle_radius(p.omega));
+        assert!((radius - found.spectral_radius).abs() < 1e-7, "{radius} {} {p:?}", found.spectral_radius);
+    }
+}
+
+#[test]
+fn charts_of_generated_systems_keep_the_error_they_state() {
+    let mut generator = Generator(29);
+    let (omega, k0) = (grid(0.5, 8.0, 60), grid(0.0, 1.0, 25));
+    for _ in 0..25 {
+        let p = generated(&mut generator);
+        let chart = stability_chart(&p, omega, k0, 1e-6).expect("computes");
+        assert!(chart.error < 1e-5, "{:e} {p:?}", chart.error);
+        let seen = worst(&p, &chart, &mut generator, 40);
+        assert!(seen <= chart.error, "{seen:e} {:e} {p:?}", chart.error);
     }
 }

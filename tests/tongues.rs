@@ -4,9 +4,12 @@ mod common;
 
 use common::{numbers, reference};
 use gear_bifurcations::model::parameters::Parameters;
+use gear_bifurcations::numerics::parametric::Parametric;
+use gear_bifurcations::numerics::roots::bracketed_root;
 use gear_bifurcations::study::multipliers::multipliers;
 use gear_bifurcations::study::tongue::{EdgeKind, Tongue, tongue_edges};
 use gear_bifurcations::study::tongue_boundary::tongue_boundary;
+use gear_bifurcations::theory::{Mode, hill};
 
 fn damped(k0: f64, zeta: f64) -> Parameters {
     numbers(&[("m", 1.0), ("k", 5.0), ("k0", k0), ("zeta", zeta)])
@@ -179,6 +182,120 @@ fn nearly_immovable_supports_give_the_edges_of_mathieus_equation() {
             assert!((edge - omega).abs() < 1e-7, "{name} {q}: {edge} {omega}");
             let kind = if name.ends_with('1') { "period-doubling" } else { "plus-one" };
             assert!(found.kind.expect("open").iter().all(|found| found.name() == kind), "{found:?}");
+        }
+    }
+}
+
+#[test]
+fn mathieus_characteristic_values_come_out_of_the_same_numerics() {
+    // x'' + (a - 2 q cos 2s) x = 0: one coordinate, with the stiffness a - 1 beside the mesh's 1.
+    for row in reference("published_and_classical")["mathieu"]["values"].as_array().expect("rows") {
+        let q = row["q"].as_f64().expect("a number");
+        for (name, multiplier) in [("a0", 1.0), ("b1", -1.0), ("a1", -1.0), ("b2", 1.0), ("a2", 1.0)] {
+            let expected = row[name].as_f64().expect("a number");
+            let value = |a: f64| {
+                let system = Parametric::<1, 2> {
+                    stiffness: [a - 1.0],
+                    damping: [0.0],
+                    coupling: [1.0],
+                    mutual_damping: 0.0,
+                };
+                let polynomial = system.characteristic(2.0 * q, 2.0, 1000, 1.0).expect("computes");
+                polynomial.value(multiplier)
+            };
+            let found =
+                bracketed_root(value, expected - 2e-3, expected + 2e-3, 1e-13).expect("a change of sign");
+            assert!((found - expected).abs() < 1e-9, "{name} at {q}: {found} {expected}");
+        }
+    }
+}
+
+#[test]
+fn edges_agree_with_the_determinants_of_hill() {
+    let mut open = 0;
+    for (m, k) in [(1.0, 5.0), (0.4, 2.0), (3.0, 4.0)] {
+        for (zeta, zeta_s) in [(0.0, 0.0), (0.01, 0.01), (0.03, 0.002)] {
+            for k0 in [0.05, 0.3, 0.6] {
+                let p = numbers(&[("m", m), ("k", k), ("zeta", zeta), ("zeta_s", zeta_s), ("k0", k0)]);
+                let symmetric = p.symmetric().expect("equal supports");
+                for (tongue, mode) in [(Tongue::Primary2, Mode::Second), (Tongue::Primary3, Mode::Third)] {
+                    let expected = hill::edges(&symmetric, mode).expect("computes");
+                    let found = tongue_edges(&p, tongue, 1e-11).expect("computes");
+                    let both = expected.map(|edges| (edges.left, edges.right));
+                    let (Some((left, right)), Some(own_left), Some(own_right)) =
+                        (both, found.left, found.right)
+                    else {
+                        assert_eq!((both, found.left, found.right), (None, None, None), "{p:?} {tongue:?}");
+                        continue;
+                    };
+                    open += 1;
+                    let off = (own_left - left).abs().max((own_right - right).abs());
+                    assert!(off < 1e-9, "{off:e} {tongue:?} m {m} k {k} zeta {zeta} {zeta_s} k0 {k0}");
+                }
+            }
+        }
+    }
+    assert!(open > 30, "{open}");
+}
+
+#[test]
+fn sharp_tips_of_light_damping_are_neither_jumped_nor_taken_for_undamped_ones() {
+    for zeta in [1e-3, 1e-4, 1e-5, 1e-6] {
+        let p = damped(0.5, zeta);
+        let symmetric = p.symmetric().expect("equal supports");
+        for (tongue, mode) in [(Tongue::Primary2, Mode::Second), (Tongue::Primary3, Mode::Third)] {
+            let expected = hill::tip(&symmetric, mode).expect("computes").expect("below k0 = 1");
+            let boundary = tongue_boundary(&p, tongue, [0.0, 0.5], 41, 1e-10).expect("followed");
+            let tip = boundary.tip.expect("closed by damping");
+            // The square of k0 is what the conditions fix, to their rounding.
+            let fine = 1e-9_f64.max(1e-14 / expected.k0);
+            assert!((tip[1] - expected.k0).abs() < fine, "{zeta} {tongue:?}: {tip:?} {expected:?}");
+            assert!((tip[0] - expected.omega).abs() < 1e-6, "{zeta} {tongue:?}: {tip:?} {expected:?}");
+        }
+    }
+}
+
+#[test]
+fn boundaries_that_the_arc_cannot_follow_come_from_their_edges() {
+    // Other tongues run into these from the side.
+    for (m, k, damping, tongue) in [
+        (
+            [0.382_956_4, 0.382_956_4],
+            [1.452_599, 1.452_599],
+            [0.0, 0.012_816_7, 0.012_816_7],
+            Tongue::Primary2,
+        ),
+        (
+            [8.795_099_7, 0.367_429_4],
+            [1.769_549_6, 0.362_397_6],
+            [0.032_412_2, 0.0, 0.000_129_26],
+            Tongue::Combination,
+        ),
+        (
+            [28.047_709, 28.047_709],
+            [0.791_162_9, 0.791_162_9],
+            [0.000_989_6, 0.023_526, 0.023_526],
+            Tongue::Combination,
+        ),
+    ] {
+        let p = Parameters {
+            m_p: m[0],
+            m_g: m[1],
+            k_p: k[0],
+            k_g: k[1],
+            zeta: damping[0],
+            zeta_p: damping[1],
+            zeta_g: damping[2],
+            ..damped(1.0, 0.0)
+        };
+        let boundary = tongue_boundary(&p, tongue, [0.0, 1.0], 31, 1e-10).expect("computes");
+        assert!(boundary.method.starts_with("edges at one depth"), "{}", boundary.method);
+        assert!(boundary.omega.len() > 20 && boundary.tip.is_some());
+        for (omega, k0) in boundary.omega.iter().zip(&boundary.k0) {
+            // The tip is where the edges can no longer be told apart.
+            if [*omega, *k0] != boundary.tip.expect("just seen") {
+                assert!(from_circle(&p, *omega, *k0) < 1e-8, "{tongue:?} {omega} {k0}");
+            }
         }
     }
 }

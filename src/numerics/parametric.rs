@@ -111,11 +111,11 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
         x: &mut [[f64; L]; N],
         w: &mut [[f64; L]; N],
     ) -> f64 {
-        let damping = self.damping.map(|d| h * d);
-        let stiffness = self.stiffness.map(|s| h * h * s);
+        let damping = self.damping.map(|d| -h * d);
+        let stiffness = self.stiffness.map(|s| -h * h * s);
         let (mutual, mean) = (h * self.mutual_damping, h * h);
         let (mut x_n, mut w_n) = (*x, *w);
-        let mut u = [[0.0; L]; ORDER];
+        let mut u = [[0.0; L]; ORDER + 1];
         let mut rate = [0.0; L];
         for i in 0..N {
             for lane in 0..L {
@@ -124,49 +124,19 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
             }
         }
         for n in 0..ORDER {
-            // Two sums side by side, because each addition waits for the one before it.
-            let (mut force, mut other) = ([0.0; L], [0.0; L]);
-            for lane in 0..L {
-                force[lane] = mutual * rate[lane] + mean * u[n][lane];
-            }
-            let terms = pulsation.len().min(n + 1);
-            let newest = &u[n + 1 - terms..=n];
-            let (pairs, rest) = newest.as_chunks::<2>();
-            // The oldest first, with the highest coefficient.
-            let mut kappa = terms;
-            for rows in pairs {
-                kappa -= 2;
-                let (high, low) = (pulsation[kappa + 1], pulsation[kappa]);
-                for lane in 0..L {
-                    force[lane] += high * rows[0][lane];
-                    other[lane] += low * rows[1][lane];
-                }
-            }
-            for row in rest {
-                for lane in 0..L {
-                    force[lane] += pulsation[0] * row[lane];
-                }
-            }
-            for lane in 0..L {
-                force[lane] += other[lane];
-            }
+            let force = force(mutual, &rate, mean, &u, n, pulsation);
             let part = reciprocal[n];
-            if n + 1 < ORDER {
-                for lane in 0..L {
-                    u[n + 1][lane] = rate[lane] * part;
-                }
-            }
+            u[n + 1] = rate.map(|value| value * part);
             rate = [0.0; L];
             for i in 0..N {
+                let (d, s, b) = (part * damping[i], part * stiffness[i], part * self.coupling[i]);
                 for lane in 0..L {
-                    let acceleration = damping[i] * w_n[i][lane]
-                        + stiffness[i] * x_n[i][lane]
-                        + self.coupling[i] * force[lane];
+                    let next = d * w_n[i][lane] + s * x_n[i][lane] - b * force[lane];
                     x_n[i][lane] = w_n[i][lane] * part;
-                    w_n[i][lane] = -acceleration * part;
+                    w_n[i][lane] = next;
                     x[i][lane] += x_n[i][lane];
-                    w[i][lane] += w_n[i][lane];
-                    rate[lane] += self.coupling[i] * w_n[i][lane];
+                    w[i][lane] += next;
+                    rate[lane] += self.coupling[i] * next;
                 }
             }
         }
@@ -271,5 +241,101 @@ impl<const N: usize, const L: usize> Parametric<N, L> {
         } else {
             Err(NumericsError::NotFinite { time: 2.0 * PI / omega })
         }
+    }
+}
+
+/// Coefficient n of the force h z b.W + h^2 U + the pulsation's product with U.
+#[inline]
+fn force<const L: usize>(
+    mutual: f64,
+    rate: &[f64; L],
+    mean: f64,
+    u: &[[f64; L]; ORDER + 1],
+    n: usize,
+    pulsation: &[f64],
+) -> [f64; L] {
+    // Two sums side by side, because each addition waits for the one before it.
+    let (mut force, mut other) = ([0.0; L], [0.0; L]);
+    let terms = pulsation.len().min(n + 1);
+    let (pairs, rest) = pulsation[..terms].as_chunks::<2>();
+    let (mut even, mut odd) = (n, n.wrapping_sub(1));
+    for kappa in pairs {
+        for lane in 0..L {
+            force[lane] += kappa[0] * u[even][lane];
+            other[lane] += kappa[1] * u[odd][lane];
+        }
+        even = even.wrapping_sub(2);
+        odd = odd.wrapping_sub(2);
+    }
+    for kappa in rest {
+        for lane in 0..L {
+            force[lane] += kappa * u[even][lane];
+        }
+    }
+    std::array::from_fn(|lane| (mutual * rate[lane] + mean * u[n][lane]) + (force[lane] + other[lane]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAIR: Parametric<3, 6> = Parametric {
+        stiffness: [3.1, 9.3, 0.0],
+        damping: [0.04, 0.11, 0.0],
+        coupling: [0.88, -1.2, 1.0],
+        mutual_damping: 0.07,
+    };
+
+    #[test]
+    fn without_pulsation_the_monodromy_is_that_of_the_damped_oscillator() {
+        let (rate, square, period) = (0.15, 2.3_f64, 2.0 * PI / 0.9);
+        let system =
+            Parametric::<1, 2> { stiffness: [1.3], damping: [0.1], coupling: [1.0], mutual_damping: 0.2 };
+        let found = system.monodromy(0.0, 0.9, 1000, 1.0).expect("computes");
+        let omega = (square - rate * rate).sqrt();
+        let (sine, cosine) = (omega * period).sin_cos();
+        let decay = (-rate * period).exp();
+        let expected = [
+            [cosine + rate / omega * sine, sine / omega],
+            [-square / omega * sine, cosine - rate / omega * sine],
+        ];
+        for (row, exact) in found.iter().flatten().zip(expected.iter().flatten()) {
+            assert!((row - decay * exact).abs() < 1e-13, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn the_determinant_is_liouvilles_and_finer_steps_change_nothing() {
+        for (depth, omega) in [(0.0, 0.7), (0.6, 1.6), (1.0, 0.3), (0.9, 12.0)] {
+            let found = PAIR.monodromy(depth, omega, 1000, 1.0).expect("computes");
+            let finer = PAIR.monodromy(depth, omega, 1000, 3.0).expect("computes");
+            let size = found.iter().flatten().fold(1.0_f64, |most, value| most.max(value.abs()));
+            for (value, exact) in found.iter().flatten().zip(finer.iter().flatten()) {
+                assert!((value - exact).abs() < 2e-13 * size, "{depth} {omega}: {value} {exact}");
+            }
+            let determinant = nalgebra::SMatrix::<f64, 6, 6>::from_fn(|i, j| found[i][j]).determinant();
+            let exact = (-2.0 * PI / omega * PAIR.damping_trace()).exp();
+            assert!((determinant - exact).abs() < 1e-12 * size.powi(3), "{determinant} {exact}");
+        }
+    }
+
+    #[test]
+    fn a_change_of_sign_of_the_depth_leaves_the_polynomial() {
+        let [one, other] =
+            [0.8, -0.8].map(|depth| PAIR.characteristic(depth, 1.1, 1000, 1.0).expect("computes"));
+        for (left, right) in one.coefficients.iter().zip(&other.coefficients) {
+            assert!((left - right).abs() < 1e-12, "{one:?} {other:?}");
+        }
+    }
+
+    #[test]
+    fn too_many_steps_and_numbers_beyond_all_are_refused() {
+        let many = PAIR.monodromy(0.5, 0.01, 100, 1.0);
+        assert!(matches!(many, Err(NumericsError::TooManySteps { steps: 100, .. })), "{many:?}");
+        // Negative stiffness: growth by exp(30 * 2 pi / 0.1).
+        let system =
+            Parametric::<1, 2> { stiffness: [-900.0], damping: [0.0], coupling: [1.0], mutual_damping: 0.0 };
+        let grown = system.monodromy(0.0, 0.1, 1_000_000, 1.0);
+        assert!(grown.is_err(), "{grown:?}");
     }
 }

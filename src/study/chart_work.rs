@@ -7,7 +7,7 @@
 
 use super::grid::Grid;
 use super::motion;
-use super::multipliers::{Budget, common_period, image, unloaded};
+use super::multipliers::{Budget, common_period, image, image_on_manifold, unloaded};
 use super::orbit::{self, OrbitOptions};
 use super::stability_chart::{StabilityChart, check_plane, stability_chart};
 use crate::error::StudyError;
@@ -57,6 +57,12 @@ const SLICE: usize = 5_000;
 const ORBIT_STEPS: usize = 60_000;
 /// Newton's iterations granted to a prediction.
 const ITERATIONS: usize = 7;
+
+/// Whether a state is on the manifold `u_g = -u_p` but for the error of an orbit.
+fn near_manifold(state: &[f64; 6]) -> bool {
+    let size = state.iter().fold(1.0_f64, |most, value| most.max(value.abs()));
+    (state[0] + state[1]).abs() + (state[3] + state[4]).abs() < 1e-5 * size
+}
 
 impl ChartWork {
     /// A chart over the plane; `rows` is this share's number and the number of shares: of several workers each takes the
@@ -207,12 +213,16 @@ impl ChartWork {
         let close = 0.1 * self.tolerance;
         let tolerance = (0.01 * self.tolerance).clamp(1e-13, 1e-7);
         let mut state = guess;
+        let equal = p.symmetric().is_ok() && near_manifold(&guess);
+        if equal {
+            (state[1], state[4]) = (-state[0], -state[3]);
+        }
         let mut before = f64::INFINITY;
         let largest = |six: &[f64; 6]| six.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         for _ in 0..ITERATIONS {
-            let Ok(there) = image(&pair, &state, self.period, tolerance, 1.0, budget) else {
-                return Ok(None);
-            };
+            let there = image_on_manifold(&pair, &state, self.period, tolerance, budget)
+                .unwrap_or_else(|| image(&pair, &state, self.period, tolerance, 1.0, budget));
+            let Ok(there) = there else { return Ok(None) };
             let Some(step) = correction(&state, &there) else { return Ok(None) };
             let size = largest(&step);
             if size.is_nan() || size > close && size >= 0.7 * before.max(1.0) {
@@ -220,6 +230,10 @@ impl ChartWork {
             }
             for (value, step) in state.iter_mut().zip(step) {
                 *value -= step;
+            }
+            if equal {
+                // To the last bit: the response that the load grows from the trivial state has the pair's symmetry.
+                (state[1], state[4]) = (-state[0], -state[3]);
             }
             if size <= close * (1.0 + largest(&state)) {
                 self.error = self.error.max(size);

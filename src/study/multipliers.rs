@@ -3,15 +3,16 @@
 use std::cell::Cell;
 
 use super::ErrorEstimate;
-use super::motion::{self, ORDER_20, ORDER_24};
+use super::motion::{self, ORDER_16, ORDER_20, ORDER_24};
 use super::orbit::{self, OrbitOptions};
 use crate::error::{ModelError, NumericsError, StudyError};
 use crate::model::equations::GearPair;
 use crate::model::linear::{self, LinearPair, Rows};
+use crate::model::manifold::{self, Manifold};
 use crate::model::parameters::{Parameters, Regime};
 use crate::model::variational::{self, Variational};
 use crate::numerics::floquet::{self, Spectrum};
-use crate::numerics::ode::taylor::{self, Options, Propagation};
+use crate::numerics::ode::taylor::{self, Options, Propagation, TaylorField};
 use crate::numerics::periodic::{Image, matrix};
 
 /// Greatest denominator of a load's frequency over the mesh frequency.
@@ -151,25 +152,53 @@ pub fn image(
     step_factor: f64,
     budget: &Budget,
 ) -> Result<Image, NumericsError> {
+    let field = Variational { pair: *pair };
+    let start = variational::start(state);
+    let end = carried::<_, _, ORDER_20>(&field, start, 1, pair, periods, (tolerance, step_factor), budget)?;
+    Ok(variational::split(&end))
+}
+
+/// The same on the manifold `u_g = -u_p`, where half as many numbers do, in steps of order 16: for tolerances that are not
+/// fine. None where this state and pair are not on one.
+///
+/// # Errors
+/// As [`image`].
+pub fn image_on_manifold(
+    pair: &GearPair,
+    state: &[f64; 6],
+    periods: usize,
+    tolerance: f64,
+    budget: &Budget,
+) -> Option<Result<Image, NumericsError>> {
+    let field = Manifold::of(&pair.parameters).filter(|_| manifold::holds(state))?;
+    let start = manifold::start(state);
+    let end = carried::<_, _, ORDER_16>(&field, start, 0, pair, periods, (tolerance, 1.0), budget);
+    Some(end.map(|end| manifold::split(&end)))
+}
+
+/// The end of a motion from t = 0; `gear` is the place of a number that is as great as the gear's displacement.
+fn carried<F: TaylorField<N>, const N: usize, const LEN: usize>(
+    field: &F,
+    start: [f64; N],
+    gear: usize,
+    pair: &GearPair,
+    periods: usize,
+    (tolerance, step_factor): (f64, f64),
+    budget: &Budget,
+) -> Result<[f64; N], NumericsError> {
     let end = periods as f64 * pair.parameters.mesh_period();
     let options = Options { tolerance: motion::step_tolerance(tolerance), step_factor, steps: budget.left() };
-    let field = Variational { pair: *pair };
-    let mut propagation = Propagation::<_, { variational::SIZE }, ORDER_20>::new(
-        &field,
-        0.0,
-        variational::start(state),
-        options,
-    );
-    let [pinion, gear] = pair.escape_bounds();
+    let mut propagation = Propagation::<_, N, LEN>::new(field, 0.0, start, options);
+    let bounds = pair.escape_bounds();
     while propagation.time() < end {
         propagation.advance(end)?;
         budget.spend(1);
         let now = propagation.state();
-        if now[0].abs() > pinion || now[1].abs() > gear {
+        if now[0].abs() > bounds[0] || now[gear].abs() > bounds[1] {
             return Err(NumericsError::Escaped { time: propagation.time() });
         }
     }
-    Ok(variational::split(propagation.state()))
+    Ok(*propagation.state())
 }
 
 /// The multipliers at these parameters.

@@ -10,7 +10,7 @@ use super::motion;
 use super::multipliers::linear_monodromy;
 use crate::error::{NumericsError, StudyError};
 use crate::model::parameters::Parameters;
-use crate::numerics::characteristic::{self, Characteristic, Factors};
+use crate::numerics::characteristic::{self, Characteristic, Factors, Top};
 use crate::numerics::periodic::matrix;
 use crate::numerics::{chebyshev, floquet};
 use std::f64::consts::PI;
@@ -34,20 +34,25 @@ pub struct StabilityChart {
 
 /// Most steps of all integrations of a chart: some seconds.
 const MOST_CHART_STEPS: f64 = 8e5;
-/// Coefficients of the polynomial are wanted at least this well, relative to the greatest: near what the
-/// series of the integration leave out.
+/// Most steps spent on points whose polynomial is computed anew.
+const MOST_DIRECT_STEPS: f64 = 1e4;
+/// Coefficients of the polynomial are wanted at most this well: near what the series of the integration leave out.
 const FINEST: f64 = 1e-13;
 /// The coefficients seen to be left out may be this many times what is wanted: they are the last of a steep decay, and
 /// what follows them is smaller still.
 const ENOUGH: f64 = 20.0;
-/// The same, where the integration is refined and multipliers meet.
-const ROUNDING: f64 = 2e-15;
+/// What rounding leaves of coefficients, relative to the greatest.
+const ROUNDING: f64 = 1e-14;
+/// An error this many times that is too great to be it.
+const MANY: f64 = 100.0;
 /// Points computed directly, for comparison.
 const SPOT_CHECKS: usize = 8;
-/// Terms in k0^2 at very short periods.
-const FEWEST: f64 = 6.0;
+/// Terms in k0^2 that are tried first.
+const FEWEST: usize = 12;
 /// Nodes beyond which interpolation is not tried.
 const MOST_NODES: usize = 400;
+/// Greatest exponent by which decay is taken off the multipliers.
+const MOST_DECAY: f64 = 50.0;
 
 /// Refuses grids that cannot be charted.
 ///
@@ -76,25 +81,26 @@ pub fn stability_chart(
     check_plane(omega, k0)?;
     motion::check_tolerance(tolerance)?;
     let linear = LinearFloquet::new(p);
-    let accuracy = (1e-4 * tolerance).max(characteristic::ROUNDING);
-    let finest = (0.1 * tolerance * tolerance).clamp(FINEST, 1e-10);
-    let mut chart = Surface::fit(&linear, omega, k0, finest)?.factorised(&linear, omega, k0, accuracy)?;
-    if chart.error > tolerance {
-        // Multipliers meet somewhere: what can be had from double precision.
-        let refined = linear.refined();
-        chart = Surface::fit(&refined, omega, k0, ROUNDING)?.factorised(
-            &refined,
-            omega,
-            k0,
-            characteristic::ROUNDING,
-        )?;
-    }
-    let seen = spot_checks(p, omega, k0, &chart.radius)?;
+    let finest = (3e-5 * tolerance).clamp(FINEST, 1e-10);
+    let surface = Surface::fit(&linear, omega, k0, finest)?;
+    checked(p, &linear, &surface, tolerance)
+}
+
+/// The chart from interpolated coefficients, if direct computation does not contradict it.
+fn checked(
+    p: &Parameters,
+    linear: &LinearFloquet,
+    surface: &Surface,
+    tolerance: f64,
+) -> Result<StabilityChart, StudyError> {
+    let [omega, k0] = surface.grids;
+    let mut chart = surface.factorised(linear, tolerance)?;
+    let mut seen = spot_checks(p, omega, k0, &chart.radius)?;
     let mut method = "Chebyshev interpolation of the characteristic polynomial, Taylor series of order 24 on half a period";
     if seen > tolerance.max(chart.error) {
         // What the decay promised does not hold: every point by itself.
-        let direct = Surface::direct(&linear, omega, k0)?;
-        chart = direct.factorised(&linear, omega, k0, accuracy)?;
+        chart = Surface::sample(linear, omega, k0, None, None)?.factorised(linear, tolerance)?;
+        seen = spot_checks(p, omega, k0, &chart.radius)?;
         method = "characteristic polynomial at every point, Taylor series of order 24 on half a period";
     }
     Ok(StabilityChart {
@@ -127,18 +133,26 @@ fn direct_radius(p: &Parameters, omega: f64, k0: f64) -> Result<f64, NumericsErr
     Ok(floquet::spectrum(&matrix(&linear_monodromy(&here, 1e-14, 1.0)?))?.radius())
 }
 
-/// Interpolated coefficients c_1 to c_{n-1} of the characteristic polynomial over the chart.
+/// Interpolated coefficients c_1 to c_{n-1} of the characteristic polynomial over the chart; c_n is known exactly.
+///
+/// They are those of exp(decay T) times the multipliers, of which the greatest is near 1 whatever the damping.
 struct Surface {
+    /// Omega and k0.
+    grids: [Grid; 2],
     /// Coefficients a row: 3 or 5.
     width: usize,
-    /// Numbers a mesh frequency: `width` times the terms in k0^2.
+    /// Terms in k0^2, or depths, of each.
     terms: usize,
     /// `[i_omega][coefficient][term]`.
     values: Vec<f64>,
     /// `[term][i_k0]`; none where the terms are the values on the chart's own k0.
     basis: Option<Vec<f64>>,
-    /// Error of the coefficients relative to the greatest of each polynomial.
+    /// Error of the coefficients, absolute.
     error: f64,
+    /// The greatest coefficient.
+    scale: f64,
+    /// Decay taken off.
+    decay: f64,
 }
 
 struct Factorised {
@@ -146,16 +160,21 @@ struct Factorised {
     error: f64,
 }
 
-/// Coefficients c_1 to c_{n-1}: c_n is known exactly.
-fn inner_coefficients(
+/// The characteristic polynomial of exp(decay T) times the multipliers.
+fn polynomial(
     linear: &LinearFloquet,
     omega: f64,
     k0: f64,
-    into: &mut Vec<f64>,
-) -> Result<(), NumericsError> {
-    let polynomial = linear.characteristic(omega, k0)?;
-    into.extend_from_slice(&polynomial.coefficients[..polynomial.degree - 1]);
-    Ok(())
+    decay: f64,
+) -> Result<Characteristic, NumericsError> {
+    let mut found = linear.characteristic(omega, k0)?;
+    let growth = (decay * 2.0 * PI / omega).exp();
+    let mut power = 1.0;
+    for coefficient in &mut found.coefficients[..found.degree] {
+        power *= growth;
+        *coefficient *= power;
+    }
+    Ok(found)
 }
 
 fn too_much_work(steps: f64) -> StudyError {
@@ -166,74 +185,88 @@ impl Surface {
     /// As many nodes as the decay asks for in each direction, or the chart's own points where these are fewer.
     fn fit(linear: &LinearFloquet, omega: Grid, k0: Grid, finest: f64) -> Result<Self, StudyError> {
         let (long, short) = (2.0 * PI / omega.low, 2.0 * PI / omega.high);
-        let mut rows = terms_in_depth(linear, omega.low, k0, finest)?;
         let turns: f64 = linear.frequencies().iter().sum::<f64>() * 0.5 * (long - short);
         // The coefficients turn as exp(i turns x): their Chebyshev coefficients are Bessel functions of `turns`.
-        let mut nodes = (turns + 6.0 * turns.cbrt() + 8.0 + 0.06 * k0.high * turns).ceil();
+        let mut nodes = (turns + 5.5 * turns.cbrt() + 8.0 + 0.06 * k0.high * turns).ceil();
         while nodes < omega.count.min(MOST_NODES) as f64 {
-            let fitted = Self::sample(linear, omega, k0, Some(nodes as usize), rows)?;
-            if fitted.error <= ENOUGH * finest {
+            let fitted = Self::sample(linear, omega, k0, Some(nodes as usize), Some(finest))?;
+            if fitted.error <= (ENOUGH * finest).max(MANY * ROUNDING * fitted.scale) {
                 return Ok(fitted);
             }
             nodes = (1.2 * nodes + 4.0).ceil();
-            rows = rows.map(|rows| rows + 2).filter(|rows| *rows < k0.count);
         }
-        Self::sample(linear, omega, k0, None, rows)
+        Self::sample(linear, omega, k0, None, Some(finest))
     }
 
-    /// Every point by itself.
-    fn direct(linear: &LinearFloquet, omega: Grid, k0: Grid) -> Result<Self, StudyError> {
-        Self::sample(linear, omega, k0, None, None)
-    }
-
+    /// The coefficients from this many nodes in the period, or at every mesh frequency; in k0^2 from as many as make
+    /// them as fine as wanted, or at every depth.
     fn sample(
         linear: &LinearFloquet,
         omega: Grid,
         k0: Grid,
         nodes: Option<usize>,
-        rows: Option<usize>,
+        finest: Option<f64>,
     ) -> Result<Self, StudyError> {
         let width = 2 * linear.modes() - 1;
         let (long, short) = (2.0 * PI / omega.low, 2.0 * PI / omega.high);
+        let decay = (-linear.at_rest()?.abscissa()).min(MOST_DECAY / long);
+        // From the longest period, which asks for most terms, to the shortest.
         let frequencies: Vec<f64> = match nodes {
             Some(count) => chebyshev::nodes(short, long, count).iter().map(|t| 2.0 * PI / t).collect(),
             None => (0..omega.count).map(|i| omega.value(i)).collect(),
         };
-        let per_row = rows.unwrap_or(k0.count);
-        let work: f64 = frequencies.iter().map(|at| linear.steps(*at, k0.high)).sum::<f64>() * per_row as f64;
-        if work.is_nan() || work > MOST_CHART_STEPS {
-            return Err(too_much_work(work));
-        }
-        let terms = width * per_row;
-        let mut values = vec![0.0; frequencies.len() * terms];
-        let mut samples = Vec::with_capacity(terms);
-        let mut error = 0.0_f64;
         let grid: Vec<f64> = (0..k0.count).map(|j| k0.value(j)).collect();
-        for (at, row) in frequencies.iter().zip(values.chunks_exact_mut(terms)) {
-            samples.clear();
-            // Shorter periods ask for fewer terms in k0^2, about as their square root.
-            let count = rows.map_or(k0.count, |most| {
-                let part = (omega.low / at).sqrt();
-                (FEWEST + (most as f64 - FEWEST).max(0.0) * part).ceil().min(most as f64) as usize
-            });
-            let depths = if rows.is_some() { &depths(k0, count) } else { &grid };
-            for depth in depths {
-                inner_coefficients(linear, *at, *depth, &mut samples)?;
-            }
-            if rows.is_some() {
-                samples = chebyshev::coefficients(&samples, width);
-                error = error.max(chebyshev::tail(&samples, width) / largest(&samples).max(1.0));
-            }
-            for (term, numbers) in samples.chunks_exact(width).enumerate() {
-                for (coefficient, value) in numbers.iter().enumerate() {
-                    row[coefficient * per_row + term] = *value;
+        let mut interpolates = finest.is_some() && FEWEST < k0.count;
+        let mut count = if interpolates { FEWEST } else { k0.count };
+        let (mut error, mut work) = (0.0_f64, 0.0);
+        let mut scale = 1.0_f64;
+        let mut rows: Vec<Vec<f64>> = Vec::with_capacity(frequencies.len());
+        for at in &frequencies {
+            loop {
+                work += linear.steps(*at, k0.high) * count as f64;
+                if work.is_nan() || work > MOST_CHART_STEPS {
+                    return Err(too_much_work(work));
+                }
+                let mut samples = Vec::with_capacity(width * count);
+                let nodes_in_depth = if interpolates { depths(k0, count) } else { grid.clone() };
+                for depth in &nodes_in_depth {
+                    let found = polynomial(linear, *at, *depth, decay)?;
+                    samples.extend_from_slice(&found.coefficients[..width]);
+                }
+                scale = scale.max(largest(&samples));
+                if !interpolates {
+                    rows.push(samples);
+                    break;
+                }
+                let coefficients = chebyshev::coefficients(&samples, width);
+                let tail = chebyshev::tail(&coefficients, width);
+                let limit = finest.unwrap_or(0.0).max(ROUNDING * scale);
+                if tail <= limit || !rows.is_empty() && count >= k0.count {
+                    error = error.max(tail);
+                    // The next one needs no more than those that count and two to see it by.
+                    let used = coefficients.chunks(width).rposition(|row| largest(row) > limit);
+                    count = count.min(used.map_or(1, |last| last + 1) + 2);
+                    rows.push(coefficients);
+                    break;
+                }
+                count = (count * 4).div_ceil(3).min(k0.count);
+                if rows.is_empty() && count == k0.count {
+                    interpolates = false;
                 }
             }
         }
+        error += ROUNDING.max(linear.truncation()) * scale;
+        let per_row = rows.iter().map(Vec::len).max().unwrap_or(0) / width;
+        let terms = width * per_row;
+        let mut values = vec![0.0; rows.len() * terms];
+        for (row, numbers) in values.chunks_exact_mut(terms).zip(&rows) {
+            for (index, value) in numbers.iter().enumerate() {
+                row[index % width * per_row + index / width] = *value;
+            }
+        }
         if let Some(count) = nodes {
-            let scale = largest(&values).max(1.0);
             let in_period = chebyshev::coefficients(&values, terms);
-            error = error.max(chebyshev::tail(&in_period, terms) / scale);
+            error += chebyshev::tail(&in_period, terms);
             values = vec![0.0; omega.count * terms];
             for (i, row) in values.chunks_exact_mut(terms).enumerate() {
                 let basis = chebyshev::polynomials(short, long, 2.0 * PI / omega.value(i), count);
@@ -244,67 +277,65 @@ impl Surface {
                 }
             }
         }
-        let basis = rows.map(|count| {
-            let mut basis = vec![0.0; count * k0.count];
+        let basis = interpolates.then(|| {
+            let mut basis = vec![0.0; per_row * k0.count];
             for j in 0..k0.count {
                 let square = k0.value(j) * k0.value(j);
-                let here = chebyshev::polynomials(k0.low * k0.low, k0.high * k0.high, square, count);
+                let here = chebyshev::polynomials(k0.low * k0.low, k0.high * k0.high, square, per_row);
                 for (term, value) in here.into_iter().enumerate() {
                     basis[term * k0.count + j] = value;
                 }
             }
             basis
         });
-        Ok(Self { width, terms: per_row, values, basis, error: error.max(linear.truncation()) })
+        Ok(Self { grids: [omega, k0], width, terms: per_row, values, basis, error, scale, decay })
     }
 
     /// The radius at every point, each column of the chart from k0 = 0 upwards.
-    fn factorised(
-        &self,
-        linear: &LinearFloquet,
-        omega: Grid,
-        k0: Grid,
-        accuracy: f64,
-    ) -> Result<Factorised, StudyError> {
+    fn factorised(&self, linear: &LinearFloquet, tolerance: f64) -> Result<Factorised, StudyError> {
+        let [omega, k0] = self.grids;
+        let accuracy = (1e-4 * tolerance).max(characteristic::ROUNDING);
+        let refined = linear.refined();
+        let mut left = MOST_DIRECT_STEPS;
         let mut radius = vec![0.0; omega.count * k0.count];
-        let at_rest = linear.at_rest()?;
-        let mut amplification = Amplification::default();
+        let at_rest = linear.at_rest()?.shifted(self.decay);
+        let mut error = 10.0 * accuracy;
         let mut columns = vec![0.0; self.width * k0.count];
+        let degree = self.width + 1;
         for (i, values) in self.values.chunks_exact(self.width * self.terms).enumerate() {
             let at = omega.value(i);
             let period = 2.0 * PI / at;
             self.expand(values, &mut columns, k0.count);
             let idle = linear.idle_radius(at);
-            let mut coefficients = [0.0; 6];
-            coefficients[self.width] = (-linear.damping_trace() * period).exp();
+            let decayed = (-self.decay * period).exp();
+            let mut of = Characteristic { degree, coefficients: [0.0; 6] };
+            of.coefficients[self.width] =
+                ((degree as f64 * self.decay - linear.damping_trace()) * period).exp();
             // The last three rows' factors, the newest first, as far as they continue each other.
             let mut rows = [at_rest.propagated(period); 3];
             let mut continued = usize::from(finite(&rows[0]));
             for j in 0..k0.count {
                 for k in 0..self.width {
-                    coefficients[k] = columns[k * k0.count + j];
+                    of.coefficients[k] = columns[k * k0.count + j];
                 }
-                let polynomial = Characteristic { degree: self.width + 1, coefficients };
-                let mut tried = None;
-                if continued > 0 {
-                    let mut guess =
-                        if continued > 3 { rows[0].extrapolated(&rows[1], &rows[2]) } else { rows[0] };
-                    tried = guess.refine(&polynomial, accuracy).map(|separation| (guess, separation));
+                let guess = if continued > 3 { rows[0].extrapolated(&rows[1], &rows[2]) } else { rows[0] };
+                let (mut factors, mut top) =
+                    continue_from(guess, continued > 0, &of, accuracy, &mut continued)?;
+                let mut bound = decayed * conditioned(&top, degree, self.error);
+                if bound > tolerance && left > 0.0 {
+                    left -= 2.0 * linear.steps(at, k0.value(j));
+                    let direct = polynomial(&refined, at, k0.value(j), self.decay)?;
+                    (factors, top) =
+                        continue_from(factors, true, &direct, characteristic::ROUNDING, &mut continued)?;
+                    let fine = refined.truncation() * largest(&direct.coefficients).max(1.0);
+                    bound = decayed * conditioned(&top, degree, fine);
                 }
-                continued += 1;
-                let (factors, separation) = if let Some(tried) = tried {
-                    tried
-                } else {
-                    continued = 1;
-                    factorise(&polynomial, None, accuracy)?
-                };
-                let here = factors.radius();
-                radius[j * omega.count + i] = here.max(idle);
-                amplification.see(&factors, here, separation, &coefficients);
+                error = error.max(bound);
+                radius[j * omega.count + i] = (decayed * top.radius).max(idle);
                 rows = [factors, rows[0], rows[1]];
             }
         }
-        Ok(Factorised { radius, error: amplification.of(self.error).max(10.0 * accuracy) })
+        Ok(Factorised { radius, error })
     }
 
     /// The coefficients on the chart's own k0, one run of them for each coefficient.
@@ -340,66 +371,31 @@ fn depths(k0: Grid, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The number of terms in k0^2 that the longest period asks for; none where the chart has no more rows than that.
-fn terms_in_depth(
-    linear: &LinearFloquet,
-    omega: f64,
-    k0: Grid,
-    finest: f64,
-) -> Result<Option<usize>, StudyError> {
-    let width = 2 * linear.modes() - 1;
-    let mut count = 8;
-    loop {
-        if count >= k0.count {
-            return Ok(None);
-        }
-        let work = linear.steps(omega, k0.high) * count as f64;
-        if work.is_nan() || work > MOST_CHART_STEPS {
-            return Err(too_much_work(work));
-        }
-        let mut samples = Vec::with_capacity(width * count);
-        for depth in depths(k0, count) {
-            inner_coefficients(linear, omega, depth, &mut samples)?;
-        }
-        let coefficients = chebyshev::coefficients(&samples, width);
-        let limit = finest * largest(&coefficients).max(1.0);
-        if chebyshev::tail(&coefficients, width) <= limit {
-            // No more than the first two terms that are negligible.
-            let used =
-                coefficients.chunks(width).rposition(|row| largest(row) > limit).map_or(1, |last| last + 1);
-            return Ok(Some((used + 2).min(count)));
-        }
-        count = count * 3 / 2;
+/// Factors and greatest root of a polynomial: from a guess, or else from nothing, and then the rows start to be counted
+/// anew.
+fn continue_from(
+    mut guess: Factors,
+    trusted: bool,
+    of: &Characteristic,
+    accuracy: f64,
+    continued: &mut usize,
+) -> Result<(Factors, Top), NumericsError> {
+    *continued += 1;
+    if trusted && let Some(top) = guess.refine(of, accuracy) {
+        return Ok((guess, top));
     }
+    *continued = 1;
+    factorise(of, accuracy)
 }
 
-/// How far errors of the coefficients can change the greatest root: divided by its distances from the others, or the
-/// square root where they meet.
-#[derive(Default)]
-struct Amplification {
-    /// Greatest square of the factor.
-    square: f64,
-    /// Greatest size of the coefficients and of their powers in the polynomial.
-    size: f64,
-}
-
-impl Amplification {
-    fn see(&mut self, factors: &Factors, radius: f64, separation: f64, coefficients: &[f64; 6]) {
-        let mut size = largest(coefficients).max(1.0);
-        // A change of the coefficients is multiplied by up to radius^(n-1).
-        for _ in 1..2 * factors.count {
-            size *= radius.max(1.0);
-        }
-        let top = factors.top();
-        let own = (factors.p[top] * factors.p[top] - 4.0 * factors.q[top]).abs().min(1.0);
-        self.square = self.square.max(size * size / (separation.abs() * own));
-        self.size = self.size.max(size);
+/// How far errors of the coefficients can move the greatest root: divided by the polynomial's slope there, or the square
+/// root where roots meet.
+fn conditioned(top: &Top, degree: usize, error: f64) -> f64 {
+    let mut change = 0.0;
+    for _ in 1..degree {
+        change = (change + error) * top.radius;
     }
-
-    /// The greatest change of a root for this error of the coefficients, relative to the greatest of each polynomial.
-    fn of(&self, error: f64) -> f64 {
-        (error * self.square.sqrt()).min((error * self.size).sqrt())
-    }
+    (change * change / top.slope_square).min(16.0 * change).sqrt()
 }
 
 /// A tongue seen on a chart.
@@ -461,4 +457,64 @@ pub fn tongues_in(chart: &StabilityChart) -> Vec<SeenTongue> {
         below = intervals;
     }
     seen
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plane() -> [Grid; 2] {
+        [Grid { low: 0.5, high: 6.0, count: 120 }, Grid { low: 0.0, high: 1.0, count: 40 }]
+    }
+
+    #[test]
+    fn coefficients_that_promise_what_they_do_not_hold_are_found_out() {
+        let p = Parameters { zeta: 0.02, ..Parameters::default() };
+        let [omega, k0] = plane();
+        let linear = LinearFloquet::new(&p);
+        let mut surface = Surface::fit(&linear, omega, k0, 3e-11).expect("fits");
+        let sound = checked(&p, &linear, &surface, 1e-6).expect("computes");
+        assert!(sound.method.starts_with("Chebyshev") && sound.error < 1e-6, "{sound:?}");
+        for value in &mut surface.values {
+            *value *= 1.001;
+        }
+        let direct = checked(&p, &linear, &surface, 1e-6).expect("computes");
+        assert!(direct.method.contains("at every point") && direct.error < 1e-6, "{}", direct.method);
+        for (left, right) in direct.spectral_radius.iter().zip(&sound.spectral_radius) {
+            assert!((left - right).abs() <= direct.error + sound.error);
+        }
+    }
+
+    #[test]
+    fn points_whose_bound_is_too_great_are_computed_anew() {
+        let p = Parameters { zeta: 0.02, m_p: 1.3, ..Parameters::default() };
+        let [omega, k0] = plane();
+        let linear = LinearFloquet::new(&p);
+        let mut surface = Surface::fit(&linear, omega, k0, 3e-11).expect("fits");
+        let sound = surface.factorised(&linear, 1e-6).expect("computes");
+        // Coarse coefficients that say so: refused wherever the steps allowed reach.
+        for value in &mut surface.values {
+            *value *= 1.0 + 1e-6;
+        }
+        surface.error = 1e-4;
+        let anew = surface.factorised(&linear, 1e-6).expect("computes");
+        // Columns of long periods come first.
+        for j in 0..k0.count {
+            let index = j * omega.count;
+            assert!((anew.radius[index] - sound.radius[index]).abs() < 1e-9);
+        }
+        assert!(anew.error > 1e-6, "not all of them");
+    }
+
+    #[test]
+    fn too_few_nodes_are_seen_by_their_tail_and_small_charts_are_computed_at_their_points() {
+        let p = Parameters { zeta: 0.02, ..Parameters::default() };
+        let [omega, k0] = plane();
+        let linear = LinearFloquet::new(&p);
+        let few = Surface::sample(&linear, omega, k0, Some(20), Some(3e-11)).expect("computes");
+        assert!(few.error > 1e-3, "{}", few.error);
+        let small = Grid { count: 9, ..omega };
+        let at_points = Surface::fit(&linear, small, Grid { count: 6, ..k0 }, 3e-11).expect("computes");
+        assert!(at_points.basis.is_none() && at_points.terms == 6);
+    }
 }

@@ -241,7 +241,13 @@ fn follow(
     let floor = low / plane.depth;
     let mut went_over = false;
     let (curve, end) = two_parameter::trace(
-        &mut |point| at(linear, plane, function, point),
+        &mut |point| {
+            // Damped, the boundary ends above k0 = 0: below is only its mirror image, near which a sharp tip could be jumped.
+            if point[1] < 0.0 && !linear.undamped() {
+                return Err(NumericsError::NoBracket { low: 0.0, high: plane.depth });
+            }
+            at(linear, plane, function, point)
+        },
         start,
         [0.0, -1.0],
         &Options::default(),

@@ -10,7 +10,8 @@
 
 use crate::error::NumericsError;
 
-/// A function of the plane whose zeros are followed.
+/// A function of the plane whose zeros are followed. Where it answers an error no point is accepted: the curve is looked
+/// for in shorter steps.
 pub type PlaneFunction<'a> = &'a mut dyn FnMut([f64; 2]) -> Result<f64, NumericsError>;
 
 /// How a curve is followed.
@@ -69,6 +70,8 @@ const REACH: f64 = 0.1;
 const ATTEMPTS: usize = 4;
 /// A step shorter than this part of the chord before it takes that chord back.
 const SHORT: f64 = 0.2;
+/// Corrections must end this much below the step: extrapolation multiplies what is left of them.
+const NOISE: f64 = 1e-3;
 
 fn turned(direction: [f64; 2]) -> [f64; 2] {
     [-direction[1], direction[0]]
@@ -117,6 +120,24 @@ pub fn correct(
         (at, value) = (next, there);
     }
     Ok(None)
+}
+
+/// [`correct`] with the slope measured at the guess, not that of the point before: towards a sharp tip it falls with the
+/// distance, and a correction divided by one too great would be taken for small.
+fn correct_anew(
+    function: PlaneFunction,
+    guess: [f64; 2],
+    normal: [f64; 2],
+    reach: f64,
+    tolerance: f64,
+) -> Result<Option<([f64; 2], f64)>, NumericsError> {
+    let value = function(guess)?;
+    let slope = (function(along(guess, normal, tolerance))? - value) / tolerance;
+    let step = -value / slope;
+    if step.abs() <= tolerance {
+        return Ok(Some((along(guess, normal, step), slope)));
+    }
+    correct(function, along(guess, normal, step), normal, slope, reach, tolerance)
 }
 
 impl Curve {
@@ -224,8 +245,8 @@ pub fn trace(
             let stencil = STENCIL.min(count);
             curve.interpolated(count - stencil, stencil, curve.lengths[count - 1] + step)
         };
-        let slope = curve.slopes[count - 1];
-        let found = correct(function, guess, turned(ahead), slope, REACH * step, options.tolerance);
+        let tolerance = options.tolerance.min(NOISE * step);
+        let found = correct_anew(function, guess, turned(ahead), REACH * step, tolerance);
         let accepted = found.ok().flatten().and_then(|(point, slope)| {
             let (chord, length) = direction(here, point);
             let turn = (tangent[0] * chord[1] - tangent[1] * chord[0])
@@ -262,4 +283,73 @@ pub fn trace(
         step = (step * wished).min(options.greatest);
     }
     Ok((curve, End::Points))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_circle_is_followed_round_and_its_points_are_set_anywhere() {
+        let mut circle = |[x, y]: [f64; 2]| Ok(x * x + y * y - 1.0);
+        let (curve, end) = trace(&mut circle, [1.0, 0.0], [0.0, 1.0], &Options::default(), &mut |curve| {
+            curve.points.len() > 10
+                && curve.points[curve.points.len() - 1][1] > 0.0
+                && curve.lengths[curve.lengths.len() - 1] > 4.0
+        })
+        .expect("followed");
+        assert_eq!(end, End::Stopped);
+        for point in &curve.points {
+            assert!((point[0].hypot(point[1]) - 1.0).abs() < 1e-6, "{point:?}");
+        }
+        // Chords are shorter than arcs, by 1/24 of the square of their angle.
+        let whole = curve.lengths[curve.lengths.len() - 1];
+        let turned = 2.0 * std::f64::consts::PI + curve.points[curve.points.len() - 1][1].asin();
+        assert!(whole < turned && whole > 0.99 * turned, "{whole} {turned}");
+        for part in [0.0, 0.13, 0.5, 0.77, 1.0] {
+            let [x, y] = curve.at(&mut circle, part * whole, 1e-12).expect("solved");
+            assert!((x.hypot(y) - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_sharp_tip_is_rounded_and_not_jumped() {
+        // Hyperbolas whose radius of curvature at the tip is a quarter of its height.
+        for (half_gap, tolerance) in [(1e-2, 1e-6), (1e-3, 1e-6), (1e-5, 1e-9)] {
+            let options = Options { tolerance, ..Options::default() };
+            // The mirrored half is not of the plane: straight ahead leads there.
+            let mut tongue = |[x, y]: [f64; 2]| {
+                let outside = NumericsError::NoBracket { low: 0.0, high: 1.0 };
+                if y < 0.0 { Err(outside) } else { Ok(4.0 * x * x + half_gap * half_gap - y * y) }
+            };
+            let start = [-0.5, (1.0 + half_gap * half_gap).sqrt()];
+            let (curve, end) = trace(&mut tongue, start, [0.0, -1.0], &options, &mut |curve| {
+                curve.points[curve.points.len() - 1][1].abs() > 1.0
+            })
+            .expect("followed");
+            assert_eq!(end, End::Stopped, "{half_gap}");
+            let last = curve.points[curve.points.len() - 1];
+            assert!(last[0] > 0.4 && last[1] > 0.9, "{half_gap}: {last:?}");
+            assert!(curve.points.iter().all(|point| point[1] > 0.9 * half_gap), "{half_gap}");
+        }
+    }
+
+    #[test]
+    fn corrections_out_of_reach_are_none_and_curves_that_end_are_lost() {
+        let mut line = |[x, _]: [f64; 2]| Ok(x - 1.0);
+        assert_eq!(correct(&mut line, [0.0, 0.0], [1.0, 0.0], 1.0, 0.5, 1e-9), Ok(None));
+        let found =
+            correct(&mut line, [0.7, 0.2], [1.0, 0.0], 1.0, 0.5, 1e-9).expect("computes").expect("in reach");
+        assert!((found.0[0] - 1.0).abs() < 1e-12 && found.0[1] == 0.2);
+        let mut ends = |[x, y]: [f64; 2]| Ok(if y > 0.5 { 1.0 } else { x });
+        let (curve, end) =
+            trace(&mut ends, [0.0, 0.0], [0.0, 1.0], &Options::default(), &mut |_| false).expect("followed");
+        assert_eq!(end, End::Lost);
+        let height = curve.points[curve.points.len() - 1][1];
+        assert!(height <= 0.5 && height > 0.45, "{height}");
+        let few = Options { points: 7, ..Options::default() };
+        let (curve, end) =
+            trace(&mut |[x, _]| Ok(x), [0.0, 0.0], [0.0, 1.0], &few, &mut |_| false).expect("followed");
+        assert_eq!((curve.points.len(), end), (7, End::Points));
+    }
 }
