@@ -12,6 +12,7 @@ use gear_bifurcations::study::diagram::{DiagramOptions, diagram};
 use gear_bifurcations::study::multipliers::multipliers;
 use gear_bifurcations::study::orbit::{OrbitOptions, periodic_orbit};
 use gear_bifurcations::study::poincare::{PoincareOptions, poincare};
+use gear_bifurcations::study::tongue::{Tongue, tongue_edges};
 use serde_json::json;
 
 fn over_omega(p: &Parameters, range: [f64; 2], period: usize) -> Branch {
@@ -335,4 +336,111 @@ fn options_out_of_range_are_refused_by_name() {
             other => panic!("{option}: {other:?}"),
         }
     }
+}
+
+/// Where no symmetry halves the map of the doubled orbits, their multipliers are computed over both periods: at the
+/// birth they must be the squares of the multipliers of the orbit that doubles.
+#[test]
+fn multipliers_of_born_orbits_are_squares_of_those_at_the_period_doubling() {
+    let mut seen = 0;
+    for given in [
+        json!({"Omega": 1.2, "F": 0.5, "m_g": 1.3, "k_g": 4.0, "regime": "contact"}),
+        json!({"Omega": 1.2, "F": 1.0, "alpha": 0.2, "regime": "contact"}),
+        json!({"Omega": 1.65, "m_g": 1.3, "k_g": 4.0}),
+    ] {
+        let p = parameters(&given);
+        let range = [1.2, 2.0];
+        let steady = over_omega(&p, range, 1);
+        check_promises(&steady, range);
+        let doubled = over_omega(&p, range, 2);
+        check_promises(&doubled, range);
+        for event in only(&doubled, EventKind::PeriodDoubling) {
+            let born =
+                [0, doubled.value.len() - 1].into_iter().find(|&end| doubled.value[end] == event.value);
+            let Some(born) = born else { continue };
+            expect(&steady, EventKind::PeriodDoubling, event.value);
+            let omega = event.value;
+            let at = Parameters { omega, omega_p: omega, omega_g: omega, ..p };
+            let options = OrbitOptions { period: 1, guess: Some(event.state), tolerance: 1e-12 };
+            let single = periodic_orbit(&at, &options).expect("the orbit that doubles");
+            assert_eq!(single.period, 1);
+            let nearest_to_minus_one =
+                (0..6).map(|i| (single.re[i] + 1.0).hypot(single.im[i])).fold(f64::INFINITY, f64::min);
+            assert!(nearest_to_minus_one < 1e-7, "{given} {omega}: {nearest_to_minus_one:e}");
+            for i in 0..6 {
+                let (re, im) = (single.re[i], single.im[i]);
+                let (re, im) = (re * re - im * im, 2.0 * re * im);
+                let nearest = (0..6)
+                    .map(|j| (doubled.re[born][j] - re).hypot(doubled.im[born][j] - im))
+                    .fold(f64::INFINITY, f64::min);
+                assert!(nearest < 1e-7, "{given} {omega}: {nearest:e}");
+            }
+            seen += 1;
+        }
+    }
+    assert!(seen >= 4, "{seen}");
+}
+
+/// A hardening tongue leans the other way: from its left edge the orbits grow towards higher Omega.
+#[test]
+fn the_branch_of_a_hardening_pair_leans_to_higher_frequencies() {
+    let p = numbers(&[("Omega", 1.6), ("alpha", 0.2)]);
+    let range = [1.2, 2.6];
+    let found = over_omega(&p, range, 2);
+    check_promises(&found, range);
+    let edges = only(&found, EventKind::PeriodDoubling);
+    // The edges are those of the linear problem, whatever the cubic term.
+    // Where the orbits are born the cubic term does not count yet.
+    let left = tongue_edges(&p, Tongue::Primary2, 1e-11).expect("computes").left.expect("an open tongue");
+    assert!((edges[0].value - left).abs() < 1e-8, "{left}: {edges:?}");
+    let grown = (0..found.value.len()).find(|&i| found.max_u_p[i] > 5.0).expect("large orbits");
+    assert!(found.value[..=grown].is_sorted(), "no fold on the way");
+    assert!(found.value[grown] > 1.7, "beyond the right edge: {}", found.value[grown]);
+}
+
+/// A loaded branch on which the teeth part: its stability changes only at events, a fold among them, and multipliers
+/// are those of differences wherever the orbit does not graze.
+#[test]
+fn stability_is_right_all_along_a_branch_that_parts_the_teeth() {
+    let given = json!({"Omega": 1.0, "F": 1.0, "alpha": 0.05, "zeta": 0.04, "k0": 0.3, "E": 0.8, "regime": "backlash"});
+    let p = parameters(&given);
+    let range = [0.6, 2.2];
+    let found = over_omega(&p, range, 1);
+    check_promises(&found, range);
+    let grazes =
+        |omega: f64| only(&found, EventKind::Grazing).iter().any(|event| (event.value - omega).abs() < 2e-3);
+    assert!(only(&found, EventKind::Fold).len() >= 4 && only(&found, EventKind::Grazing).len() >= 4);
+    let (mut tried, mut parted) = (0, 0);
+    let count = found.value.len();
+    for index in (2..count - 2).step_by(count / 9) {
+        let omega = found.value[index];
+        if grazes(omega) {
+            continue;
+        }
+        let at = Parameters { omega, omega_p: omega, omega_g: omega, ..p };
+        let after = |state: [f64; 6]| {
+            let options = PoincareOptions { state, transient: 1, points: 1, tolerance: 1e-13 };
+            poincare(&at, &options).expect("computes").states[0]
+        };
+        let h = 1e-6;
+        let derivative = nalgebra::SMatrix::<f64, 6, 6>::from_fn(|row, column| {
+            let mut states = [found.state[index]; 2];
+            states[0][column] += h;
+            states[1][column] -= h;
+            (after(states[0])[row] - after(states[1])[row]) / (2.0 * h)
+        });
+        let values = derivative.complex_eigenvalues();
+        for i in 0..6 {
+            let nearest = values
+                .iter()
+                .map(|value| (value.re - found.re[index][i]).hypot(value.im - found.im[index][i]))
+                .fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-5, "{omega}: {nearest:e}");
+        }
+        let options = OrbitOptions { period: 1, guess: Some(found.state[index]), tolerance: 1e-12 };
+        let orbit = periodic_orbit(&at, &options).expect("found");
+        parted += usize::from(orbit.min[2] < 1.0);
+        tried += 1;
+    }
+    assert!(tried >= 5 && parted >= 3, "{tried} {parted}");
 }
