@@ -152,11 +152,26 @@ pub fn image(
     budget: &Budget,
 ) -> Result<Image, NumericsError> {
     let end = periods as f64 * pair.parameters.mesh_period();
+    image_between(pair, state, [0.0, end], tolerance, step_factor, budget)
+}
+
+/// As [`image`], from one time to another.
+///
+/// # Errors
+/// As [`image`].
+pub fn image_between(
+    pair: &GearPair,
+    state: &[f64; 6],
+    [start, end]: [f64; 2],
+    tolerance: f64,
+    step_factor: f64,
+    budget: &Budget,
+) -> Result<Image, NumericsError> {
     let options = Options { tolerance: motion::step_tolerance(tolerance), step_factor, steps: budget.left() };
     let field = Variational { pair: *pair };
     let mut propagation = Propagation::<_, { variational::SIZE }, ORDER_20>::new(
         &field,
-        0.0,
+        start,
         variational::start(state),
         options,
     );
