@@ -34,15 +34,14 @@ pub fn parts(periods: usize, entry: f64) -> usize {
     if each * periods == 1 { 2 } else { each * periods }
 }
 
+/// Carries a state over the part of an index.
+pub type Part<'a> = dyn FnMut(usize, &[f64; 6]) -> Result<Image, NumericsError> + 'a;
+
 /// Finds the periodic orbit near these states; `map` carries a state over the part of an index.
 ///
 /// # Errors
 /// [`NumericsError::NoConvergence`] with the residual, [`NumericsError::Singular`], or an error of `map` at the start.
-pub fn solve(
-    start: Vec<[f64; 6]>,
-    options: Options,
-    map: &mut dyn FnMut(usize, &[f64; 6]) -> Result<Image, NumericsError>,
-) -> Result<Nodes, NumericsError> {
+pub fn solve(start: Vec<[f64; 6]>, options: Options, map: &mut Part<'_>) -> Result<Nodes, NumericsError> {
     let mut states = start;
     let mut here = linearised(&states, map)?;
     let mut last = residual(&here);
@@ -89,10 +88,7 @@ pub fn solve(
 }
 
 /// By how much each part misses the start of the next, with its derivative.
-fn linearised(
-    states: &[[f64; 6]],
-    map: &mut dyn FnMut(usize, &[f64; 6]) -> Result<Image, NumericsError>,
-) -> Result<Vec<Image>, NumericsError> {
+fn linearised(states: &[[f64; 6]], map: &mut Part<'_>) -> Result<Vec<Image>, NumericsError> {
     let mut all = Vec::with_capacity(states.len());
     for (part, state) in states.iter().enumerate() {
         let (image, derivative) = map(part, state)?;
@@ -134,6 +130,7 @@ mod tests {
     use super::*;
 
     /// Three independent saddles whose multipliers multiply to 1e12 over four parts, slightly bent.
+    #[allow(clippy::unnecessary_wraps, reason = "as a map is")]
     fn bent(part: usize, state: &[f64; 6]) -> Result<Image, NumericsError> {
         let shift = (part as f64).cos();
         let mut derivative = [[0.0; 6]; 6];

@@ -170,7 +170,7 @@ impl DiagramWork {
             return;
         }
         if let Some((path, point)) = self.start.take() {
-            self.follow(path, point, None);
+            self.follow(path, &point, None);
             return;
         }
         if self.diagram.branches.len() >= self.options.max_branches || self.family.budget() == 0 {
@@ -196,18 +196,18 @@ impl DiagramWork {
         if !self.is_known(&parent)
             && let Ok(point) = branch::on_branch(&mut self.family, parent.path, &state, value, &self.bounds)
         {
-            self.follow(parent.path, point, Some(parent.from));
+            self.follow(parent.path, &point, Some(parent.from));
         }
     }
 
     /// Follows a branch both ways from a point.
-    fn follow(&mut self, path: Path, point: Point, from: Option<(usize, usize)>) {
+    fn follow(&mut self, path: Path, point: &Point, from: Option<(usize, usize)>) {
         let group = *self.family.group();
         let first = branch::FIRST_STEP * self.bounds.longest;
-        let turned = Point { tangent: point.tangent.map(|value| -value), ..point };
+        let turned = Point { tangent: point.tangent.map(|value| -value), ..*point };
         self.current = Some(Current {
             backwards: Trace::new(path, &group, turned, self.bounds, first),
-            forwards: Trace::new(path, &group, point, self.bounds, first),
+            forwards: Trace::new(path, &group, *point, self.bounds, first),
             pending: None,
             from,
         });
