@@ -278,6 +278,11 @@ fn the_diagram_of_figure_10_joins_every_branch_to_its_birth() {
             assert!(branch.events.iter().any(same), "{index}: {:#?}", branch.events);
         }
     }
+    // Where multipliers are so large that rounding turns the branch, it is ended and not folded.
+    for branch in &found.branches {
+        let folds: Vec<f64> = only(branch, EventKind::Fold).iter().map(|event| event.value).collect();
+        assert!(folds.windows(2).all(|two| (two[0] - two[1]).abs() > 1e-4), "{folds:?}");
+    }
     // The steady response: the edges of the three tongues, as linear theory has them.
     let edges: Vec<f64> = found.branches[0].events.iter().map(|event| event.value).collect();
     for value in edges {

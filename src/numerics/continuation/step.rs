@@ -60,9 +60,9 @@ const SHORTEST: f64 = 1e-6;
 const ANGLE: f64 = 0.3;
 /// Angle between the tangents that the step is set for.
 const GENTLE: f64 = 0.1;
-/// Largest entry of a linearisation from which points, and what happens between them, are still found: beyond, the
-/// square of a correction of the last tolerance, times this, turns the linearisation itself, and folds are seen in
-/// clusters that other tolerances put elsewhere.
+/// Largest entry of a linearisation from which points, and what happens between them, are still found. The error that
+/// the last correction leaves of a state, some 1e-8, times this entry is the relative error of the linearisation itself:
+/// where it nears one, signs of test functions are noise and folds are seen in clusters.
 const STEEPEST: f64 = 3e5;
 /// Largest entry of a linearisation from which a branch is followed only as long as its steps do not shrink: the
 /// steeper the map, the nearer together are the points at which it can be told from its linearisation.
