@@ -12,6 +12,7 @@ use gear_bifurcations::study::diagram::{DiagramOptions, diagram};
 use gear_bifurcations::study::multipliers::multipliers;
 use gear_bifurcations::study::orbit::{OrbitOptions, periodic_orbit};
 use gear_bifurcations::study::poincare::{PoincareOptions, poincare};
+use gear_bifurcations::study::tongue::{Tongue, tongue_edges};
 use serde_json::json;
 
 fn over_omega(p: &Parameters, range: [f64; 2], period: usize) -> Branch {
@@ -269,8 +270,18 @@ fn the_diagram_of_figure_10_joins_every_branch_to_its_birth() {
         let (parent, event) = from.expect("born somewhere");
         assert!(parent < index);
         let birth = &found.branches[parent].events[event];
-        assert!((branch.value[0] - birth.value).abs() < 1e-9, "{index}");
-        assert!(matches!(branch.ends[0], BranchEnd::BornFrom { .. }));
+        if matches!(branch.ends[0], BranchEnd::BornFrom { .. }) {
+            assert!((branch.value[0] - birth.value).abs() < 1e-9, "{index}");
+        } else {
+            // The other ends on this one, which has the bifurcation too.
+            let same = |event: &BranchEvent| (event.value - birth.value).abs() < 1e-6;
+            assert!(branch.events.iter().any(same), "{index}: {:#?}", branch.events);
+        }
+    }
+    // Where multipliers are so large that rounding turns the branch, it is ended and not folded.
+    for branch in &found.branches {
+        let folds: Vec<f64> = only(branch, EventKind::Fold).iter().map(|event| event.value).collect();
+        assert!(folds.windows(2).all(|two| (two[0] - two[1]).abs() > 1e-4), "{folds:?}");
     }
     // The steady response: the edges of the three tongues, as linear theory has them.
     let edges: Vec<f64> = found.branches[0].events.iter().map(|event| event.value).collect();
@@ -334,5 +345,142 @@ fn options_out_of_range_are_refused_by_name() {
             Err(StudyError::Option { option: named, .. }) => assert_eq!(named, option),
             other => panic!("{option}: {other:?}"),
         }
+    }
+}
+
+/// Where no symmetry halves the map of the doubled orbits, their multipliers are computed over both periods: at the
+/// birth they must be the squares of the multipliers of the orbit that doubles.
+#[test]
+fn multipliers_of_born_orbits_are_squares_of_those_at_the_period_doubling() {
+    let mut seen = 0;
+    for given in [
+        json!({"Omega": 1.2, "F": 0.5, "m_g": 1.3, "k_g": 4.0, "regime": "contact"}),
+        json!({"Omega": 1.2, "F": 1.0, "alpha": 0.2, "regime": "contact"}),
+        json!({"Omega": 1.65, "m_g": 1.3, "k_g": 4.0}),
+    ] {
+        let p = parameters(&given);
+        let range = [1.2, 2.0];
+        let steady = over_omega(&p, range, 1);
+        check_promises(&steady, range);
+        let doubled = over_omega(&p, range, 2);
+        check_promises(&doubled, range);
+        for event in only(&doubled, EventKind::PeriodDoubling) {
+            let born =
+                [0, doubled.value.len() - 1].into_iter().find(|&end| doubled.value[end] == event.value);
+            let Some(born) = born else { continue };
+            expect(&steady, EventKind::PeriodDoubling, event.value);
+            let omega = event.value;
+            let at = Parameters { omega, omega_p: omega, omega_g: omega, ..p };
+            let options = OrbitOptions { period: 1, guess: Some(event.state), tolerance: 1e-12 };
+            let single = periodic_orbit(&at, &options).expect("the orbit that doubles");
+            assert_eq!(single.period, 1);
+            let nearest_to_minus_one =
+                (0..6).map(|i| (single.re[i] + 1.0).hypot(single.im[i])).fold(f64::INFINITY, f64::min);
+            assert!(nearest_to_minus_one < 1e-7, "{given} {omega}: {nearest_to_minus_one:e}");
+            for i in 0..6 {
+                let (re, im) = (single.re[i], single.im[i]);
+                let (re, im) = (re * re - im * im, 2.0 * re * im);
+                let nearest = (0..6)
+                    .map(|j| (doubled.re[born][j] - re).hypot(doubled.im[born][j] - im))
+                    .fold(f64::INFINITY, f64::min);
+                assert!(nearest < 1e-7, "{given} {omega}: {nearest:e}");
+            }
+            seen += 1;
+        }
+    }
+    assert!(seen >= 4, "{seen}");
+}
+
+/// A hardening tongue leans the other way: from its left edge the orbits grow towards higher Omega.
+#[test]
+fn the_branch_of_a_hardening_pair_leans_to_higher_frequencies() {
+    let p = numbers(&[("Omega", 1.6), ("alpha", 0.2)]);
+    let range = [1.2, 2.6];
+    let found = over_omega(&p, range, 2);
+    check_promises(&found, range);
+    let edges = only(&found, EventKind::PeriodDoubling);
+    // The edges are those of the linear problem, whatever the cubic term.
+    // Where the orbits are born the cubic term does not count yet.
+    let left = tongue_edges(&p, Tongue::Primary2, 1e-11).expect("computes").left.expect("an open tongue");
+    assert!((edges[0].value - left).abs() < 1e-8, "{left}: {edges:?}");
+    let grown = (0..found.value.len()).find(|&i| found.max_u_p[i] > 5.0).expect("large orbits");
+    assert!(found.value[..=grown].is_sorted(), "no fold on the way");
+    assert!(found.value[grown] > left + 0.1, "{}", found.value[grown]);
+}
+
+/// A loaded branch on which the teeth part: its stability changes only at events, a fold among them, and multipliers
+/// are those of differences wherever the orbit does not graze.
+#[test]
+fn stability_is_right_all_along_a_branch_that_parts_the_teeth() {
+    let given = json!({"Omega": 1.0, "F": 1.0, "alpha": 0.05, "zeta": 0.04, "k0": 0.3, "E": 0.8, "regime": "backlash"});
+    let p = parameters(&given);
+    let range = [0.6, 2.2];
+    let found = over_omega(&p, range, 1);
+    check_promises(&found, range);
+    let grazes =
+        |omega: f64| only(&found, EventKind::Grazing).iter().any(|event| (event.value - omega).abs() < 2e-3);
+    assert!(only(&found, EventKind::Fold).len() >= 4 && only(&found, EventKind::Grazing).len() >= 4);
+    let (mut tried, mut parted) = (0, 0);
+    let count = found.value.len();
+    for index in (2..count - 2).step_by(count / 9) {
+        let omega = found.value[index];
+        if grazes(omega) {
+            continue;
+        }
+        let at = Parameters { omega, omega_p: omega, omega_g: omega, ..p };
+        let after = |state: [f64; 6]| {
+            let options = PoincareOptions { state, transient: 1, points: 1, tolerance: 1e-13 };
+            poincare(&at, &options).expect("computes").states[0]
+        };
+        let h = 1e-6;
+        let derivative = nalgebra::SMatrix::<f64, 6, 6>::from_fn(|row, column| {
+            let mut states = [found.state[index]; 2];
+            states[0][column] += h;
+            states[1][column] -= h;
+            (after(states[0])[row] - after(states[1])[row]) / (2.0 * h)
+        });
+        let values = derivative.complex_eigenvalues();
+        for i in 0..6 {
+            let nearest = values
+                .iter()
+                .map(|value| (value.re - found.re[index][i]).hypot(value.im - found.im[index][i]))
+                .fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-5, "{omega}: {nearest:e}");
+        }
+        let options = OrbitOptions { period: 1, guess: Some(found.state[index]), tolerance: 1e-12 };
+        let orbit = periodic_orbit(&at, &options).expect("found");
+        parted += usize::from(orbit.min[2] < 1.0);
+        tried += 1;
+    }
+    assert!(tried >= 5 && parted >= 3, "{tried} {parted}");
+}
+
+#[test]
+fn an_unloaded_pair_with_backlash_is_told_to_rest_anywhere() {
+    let p = parameters(&json!({"Omega": 1.65, "regime": "backlash"}));
+    let told = |error: StudyError| match error {
+        StudyError::NotFound { found, .. } => assert!(found.contains("rests at every u"), "{found}"),
+        other => panic!("{other:?}"),
+    };
+    told(branch(&p, &BranchOptions::new([1.0, 2.0], 1)).expect_err("no branch"));
+    told(diagram(&p, &DiagramOptions::new([1.0, 2.0])).expect_err("no diagram"));
+    // An orbit that strikes both flanks is a start like any other.
+    let orbit = periodic_orbit(&p, &OrbitOptions { period: 2, ..OrbitOptions::default() }).expect("an orbit");
+    let options = BranchOptions { from: Some(orbit.state), ..BranchOptions::new([1.5, 1.8], orbit.period) };
+    check_promises(&branch(&p, &options).expect("follows"), [1.5, 1.8]);
+}
+
+#[test]
+fn a_load_at_half_the_mesh_frequency_has_a_response_of_twice_the_period() {
+    for omega in [1.2, 1.65, 2.4] {
+        let given = json!({"Omega": omega, "k0": 0.3, "F": 1.5, "F_p": 0.2, "Omega_p": 0.5 * omega, "regime": "contact"});
+        let p = parameters(&given);
+        let orbit =
+            periodic_orbit(&p, &OrbitOptions::default()).unwrap_or_else(|error| panic!("{omega}: {error}"));
+        assert_eq!(orbit.period, 2);
+        let options = BranchOptions { points: 200, ..BranchOptions::new([0.95 * omega, 1.05 * omega], 1) };
+        let found = branch(&p, &options).unwrap_or_else(|error| panic!("{omega}: {error}"));
+        assert_eq!(found.period, 2);
+        check_promises(&found, [0.95 * omega, 1.05 * omega]);
     }
 }

@@ -111,30 +111,37 @@ impl TaylorField<SIZE> for Manifold {
         let forcing = Forcing::<LEN>::new(p, time);
         let (slope, offset) = piece.line();
         let (inverse_mass, damping, mesh_damping) = (1.0 / p.m_p, 2.0 * p.zeta_p, 2.0 * p.zeta);
-        // The rows of the derivative that enter products, each coefficient's lanes side by side.
-        let mut displacements = [[0.0; 6]; LEN];
-        let mut teeth = [[0.0; 4]; LEN];
+        // One loop over the earlier coefficients makes all products, whose factors lie with the last one first, so that
+        // every one of its arrays is run through forwards.
+        let mut pulsation = forcing.pulsation;
+        pulsation.reverse();
         let mut square = [0.0; LEN];
         let nonlinear = p.alpha_p != 0.0;
         series[0] = *state;
         for n in 0..LEN - 1 {
+            let first = LEN - 1 - n;
             let row = series[n];
-            displacements[n].copy_from_slice(&row[4..10]);
-            teeth[n].copy_from_slice(&row[16..20]);
-            let (mut cube, mut linear_cube) = (0.0, [0.0; 6]);
             if nonlinear {
-                square[n] = (0..=n).map(|j| series[j][0] * series[n - j][0]).sum();
-                cube = (0..=n).map(|j| square[j] * series[n - j][0]).sum();
-                linear_cube = convolved(&square, &displacements, n);
+                square[first] = square_of(series, n);
             }
+            let (mut cube, mut linear_cube) = (0.0, [0.0; 6]);
             let (mut tooth, mut linear_tooth) = (0.0, [0.0; 4]);
-            if slope != 0.0 {
-                tooth = (0..=n).map(|j| forcing.pulsation[j] * series[n - j][U]).sum::<f64>() + row[U];
-                tooth -= offset * (forcing.pulsation[n] + if n == 0 { 1.0 } else { 0.0 });
-                linear_tooth = convolved(&forcing.pulsation, &teeth, n);
-                for lane in 0..4 {
-                    linear_tooth[lane] += teeth[n][lane];
+            for ((earlier, square), pulsation) in
+                series[..=n].iter().zip(&square[first..]).zip(&pulsation[first..])
+            {
+                cube += square * earlier[0];
+                for lane in 0..6 {
+                    linear_cube[lane] += square * earlier[4 + lane];
                 }
+                tooth += pulsation * earlier[U];
+                for lane in 0..4 {
+                    linear_tooth[lane] += pulsation * earlier[16 + lane];
+                }
+            }
+            tooth = slope * (tooth + row[U]);
+            tooth -= offset * (pulsation[first] + if n == 0 { 1.0 } else { 0.0 });
+            for lane in 0..4 {
+                linear_tooth[lane] = slope * (linear_tooth[lane] + row[16 + lane]);
             }
             let mesh = mesh_damping * row[3] + tooth;
             let a = -(damping * row[2] + p.k_p * row[0] + p.alpha_p * cube + mesh) * inverse_mass;
@@ -166,18 +173,13 @@ impl TaylorField<SIZE> for Manifold {
     }
 }
 
-/// The n-th coefficient of the product of a series with several others, all lanes at once.
+/// Coefficient n of the square of the first coordinate.
 #[inline]
-pub(crate) fn convolved<const LANES: usize, const LEN: usize>(
-    factor: &[f64; LEN],
-    series: &[[f64; LANES]; LEN],
-    n: usize,
-) -> [f64; LANES] {
-    let mut sum = [0.0; LANES];
-    for (factor, lanes) in factor[..=n].iter().rev().zip(&series[..=n]) {
-        for lane in 0..LANES {
-            sum[lane] += factor * lanes[lane];
-        }
+fn square_of<const LEN: usize>(series: &Series<SIZE, LEN>, n: usize) -> f64 {
+    let mut pairs = 0.0;
+    for j in 0..n.div_ceil(2) {
+        pairs += series[j][0] * series[n - j][0];
     }
-    sum
+    let middle = if n.is_multiple_of(2) { series[n / 2][0] } else { 0.0 };
+    2.0 * pairs + middle * middle
 }

@@ -5,8 +5,7 @@
 //! mesh damping goes on acting, so that the field is continuous at `|u| = 1` and the derivative has no jump
 //! there: only its matrix switches, together with the piece of the motion.
 
-use crate::model::equations::{Contact, Forcing, GearPair, U, contact, contact_boundaries};
-use crate::model::manifold::convolved;
+use crate::model::equations::{Contact, Forcing, GearPair, contact, contact_boundaries};
 use crate::numerics::ode::taylor::{Boundary, Series, TaylorField};
 
 /// Number of coordinates: six of the motion and 36 of its derivative.
@@ -39,20 +38,6 @@ pub fn split(all: &[f64; SIZE]) -> ([f64; 6], [[f64; 6]; 6]) {
     (take(0), std::array::from_fn(|row| take(6 + 6 * row)))
 }
 
-/// One coordinate of the motion (0) or one row of its derivative (1 to 6): the six columns as lanes.
-fn lanes(row: &[f64; SIZE], coordinate: usize) -> [f64; 6] {
-    let mut six = [0.0; 6];
-    six.copy_from_slice(&row[6 + 6 * coordinate..12 + 6 * coordinate]);
-    six
-}
-
-#[inline]
-fn add_scaled(sum: &mut [f64; 6], factor: f64, lanes: &[f64; 6]) {
-    for (sum, lane) in sum.iter_mut().zip(lanes) {
-        *sum += factor * lane;
-    }
-}
-
 impl TaylorField<SIZE> for Variational {
     type Piece = Contact;
 
@@ -82,35 +67,32 @@ impl TaylorField<SIZE> for Variational {
         let mut six = [0.0; 6];
         six.copy_from_slice(&state[..6]);
         self.pair.series(piece, time, &six, &mut motion);
-        let squares = squares(&motion);
-        let nonlinear = cubic != [0.0; 2];
-        // The rows of the derivative that enter products, each coefficient's lanes side by side.
-        let mut displacements = [[[0.0; 6]; LEN]; 3];
+        // One loop over the earlier coefficients makes all products, whose factors lie with the last one first.
+        let factors = factors(&motion, &forcing.pulsation);
         series[0] = *state;
         for n in 0..LEN - 1 {
             let row = series[n];
-            for (i, displacement) in displacements.iter_mut().enumerate() {
-                displacement[n] = lanes(&row, i);
+            let (mut cubes, mut mesh) = ([[0.0; 6]; 2], [0.0; 6]);
+            for (earlier, [pinion, gear, pulsation]) in series[..=n].iter().zip(&factors[LEN - 1 - n..]) {
+                for lane in 0..6 {
+                    cubes[0][lane] += pinion * earlier[6 + lane];
+                    cubes[1][lane] += gear * earlier[12 + lane];
+                    mesh[lane] += pulsation * earlier[18 + lane];
+                }
             }
-            let mut mesh = [0.0; 6];
-            if slope != 0.0 {
-                mesh = convolved(&forcing.pulsation, &displacements[U], n);
-                add_scaled(&mut mesh, 1.0, &displacements[U][n]);
+            for lane in 0..6 {
+                mesh[lane] = slope * (mesh[lane] + row[18 + lane]) + 2.0 * p.zeta * row[36 + lane];
             }
-            add_scaled(&mut mesh, 2.0 * p.zeta, &lanes(&row, 5));
             let mut accelerations = [[0.0; 6]; 3];
             for i in 0..2 {
-                let mut force = mesh;
-                if i == 1 {
-                    force = force.map(|value| -value);
+                let pushed = if i == 0 { 1.0 } else { -1.0 };
+                for lane in 0..6 {
+                    let force = pushed * mesh[lane]
+                        + damping[i] * row[24 + 6 * i + lane]
+                        + stiffness[i] * row[6 + 6 * i + lane]
+                        + 3.0 * cubic[i] * cubes[i][lane];
+                    accelerations[i][lane] = -force * inverse_mass[i];
                 }
-                add_scaled(&mut force, damping[i], &lanes(&row, 3 + i));
-                add_scaled(&mut force, stiffness[i], &displacements[i][n]);
-                if nonlinear {
-                    let cubes = convolved(&squares[i], &displacements[i], n);
-                    add_scaled(&mut force, 3.0 * cubic[i], &cubes);
-                }
-                accelerations[i] = force.map(|value| -value * inverse_mass[i]);
             }
             for lane in 0..6 {
                 accelerations[2][lane] = accelerations[0][lane] - accelerations[1][lane] - mesh[lane];
@@ -119,9 +101,8 @@ impl TaylorField<SIZE> for Variational {
             let next = &mut series[n + 1];
             next[..6].copy_from_slice(&motion[n + 1]);
             for i in 0..3 {
-                let velocities = lanes(&row, 3 + i);
                 for lane in 0..6 {
-                    next[6 + 6 * i + lane] = velocities[lane] * rate;
+                    next[6 + 6 * i + lane] = row[24 + 6 * i + lane] * rate;
                     next[24 + 6 * i + lane] = accelerations[i][lane] * rate;
                 }
             }
@@ -129,9 +110,9 @@ impl TaylorField<SIZE> for Variational {
     }
 }
 
-/// Coefficients of `u_p^2` and of `u_g^2`.
-fn squares<const LEN: usize>(motion: &Series<6, LEN>) -> [[f64; LEN]; 2] {
-    let mut squares = [[0.0; LEN]; 2];
+/// Coefficients of `u_p^2`, of `u_g^2` and of the pulsation, the last one first.
+fn factors<const LEN: usize>(motion: &Series<6, LEN>, pulsation: &[f64; LEN]) -> [[f64; 3]; LEN] {
+    let mut factors = [[0.0; 3]; LEN];
     for n in 0..LEN {
         let mut sum = [0.0; 2];
         for j in 0..=n {
@@ -139,7 +120,7 @@ fn squares<const LEN: usize>(motion: &Series<6, LEN>) -> [[f64; LEN]; 2] {
                 sum[lane] += motion[j][lane] * motion[n - j][lane];
             }
         }
-        (squares[0][n], squares[1][n]) = (sum[0], sum[1]);
+        factors[LEN - 1 - n] = [sum[0], sum[1], pulsation[n]];
     }
-    squares
+    factors
 }

@@ -8,6 +8,7 @@ pub mod contraction;
 pub mod elimination;
 pub mod floquet;
 pub mod lyapunov;
+pub mod multiple_shooting;
 pub mod newton;
 pub mod ode;
 pub mod parametric;

@@ -11,7 +11,7 @@ use super::multipliers::{Budget, trivial_state, unloaded};
 use super::orbit::{self, LONGEST, OrbitOptions};
 use crate::error::{NumericsError, StudyError};
 use crate::model::equations::GearPair;
-use crate::model::parameters::Parameters;
+use crate::model::parameters::{Parameters, Regime};
 use crate::numerics::continuation::corrector::{self, Frame};
 use crate::numerics::continuation::detect::{Point, finish};
 use crate::numerics::continuation::step::{Bounds, End, Trace};
@@ -305,7 +305,10 @@ fn first(
             })?
             .point
         }
-        None if period == common && unloaded(p) => trivial_state(p),
+        None if period == common && unloaded(p) => {
+            isolated_rest(p)?;
+            trivial_state(p)
+        }
         None => {
             let wanted = OrbitOptions { period, guess: None, tolerance: options.tolerance };
             match orbit::periodic_orbit(&there, &wanted) {
@@ -314,19 +317,38 @@ fn first(
                     if let Some(born) = by_bifurcations(&there, family, period, bounds) {
                         return Ok(born);
                     }
-                    found?;
-                    return Err(NumericsError::NoConvergence {
-                        iterations: 0,
-                        residual: f64::INFINITY,
-                        tolerance: options.tolerance,
-                    }
-                    .into());
+                    let other = found?.period;
+                    return Err(StudyError::NotFound {
+                        sought: "orbit of this period",
+                        found: format!("the search came to one of period {other} and not {period}"),
+                    });
                 }
             }
         }
     };
     let path = recognise(family, &state, value, period, bounds.scale)?;
-    Ok((path, on_branch(family, path, &state, value, bounds)?))
+    match on_branch(family, path, &state, value, bounds) {
+        Err(NumericsError::Singular) => Err(StudyError::NotFound {
+            sought: "isolated orbit to start from",
+            found: "one with a multiplier of 1, as of teeth that never touch, where u drifts freely".into(),
+        }),
+        found => Ok((path, found?)),
+    }
+}
+
+/// Refuses an unloaded pair with backlash: no branch of its states of rest is there to be followed.
+///
+/// # Errors
+/// [`StudyError::NotFound`].
+pub(crate) fn isolated_rest(p: &Parameters) -> Result<(), StudyError> {
+    if p.regime != Regime::Backlash || !unloaded(p) {
+        return Ok(());
+    }
+    Err(StudyError::NotFound {
+        sought: "isolated state of rest",
+        found: "without load the pair rests at every u from -1 to 1; give a load or a state to start from"
+            .into(),
+    })
 }
 
 /// Most branches that are followed in search of one of a given period.
@@ -341,6 +363,7 @@ fn by_bifurcations(
     bounds: &Bounds,
 ) -> Option<(Path, Point)> {
     let (common, value) = (family.common(), family.value());
+    isolated_rest(there).ok()?;
     let state = if unloaded(there) {
         trivial_state(there)
     } else {

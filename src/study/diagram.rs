@@ -38,7 +38,8 @@ impl DiagramOptions {
 pub struct Diagram {
     /// The branches; the steady response first.
     pub branches: Vec<Branch>,
-    /// Of each branch, the branch and the event of it at which it was born; none for the steady response.
+    /// Of each branch, the branch and the event of it at which it was reached, none for the steady response: where it
+    /// was born, or where that branch ends on it.
     pub from: Vec<Option<(usize, usize)>>,
     /// Whether there was more to follow when the number of branches or the work allowed was used up.
     pub complete: bool,
@@ -65,6 +66,16 @@ struct Current {
     backwards: Trace,
     forwards: Trace,
     pending: Option<Pending>,
+    from: Option<(usize, usize)>,
+}
+
+/// A branch on which another one ends.
+#[derive(Clone, Copy, Debug)]
+struct Parent {
+    path: Path,
+    at: Point,
+    /// Branch that ends there, and the event.
+    from: (usize, usize),
 }
 
 /// A diagram under way.
@@ -76,6 +87,7 @@ pub struct DiagramWork {
     start: Option<(Path, Point)>,
     current: Option<Current>,
     pending: Vec<Pending>,
+    parents: Vec<Parent>,
     /// Bifurcations from which a branch was already followed, or at which one ended: value, greatest |u|, and periods.
     visited: Vec<(f64, f64)>,
     diagram: Diagram,
@@ -120,6 +132,7 @@ impl DiagramWork {
             start: Some(start),
             current: None,
             pending: Vec::new(),
+            parents: Vec::new(),
             visited: Vec::new(),
             diagram: Diagram {
                 branches: Vec::new(),
@@ -157,14 +170,7 @@ impl DiagramWork {
             return;
         }
         if let Some((path, point)) = self.start.take() {
-            let group = *self.family.group();
-            let first = branch::FIRST_STEP * self.bounds.longest;
-            let turned = Point { tangent: point.tangent.map(|value| -value), ..point };
-            self.current = Some(Current {
-                backwards: Trace::new(path, &group, turned, self.bounds, first),
-                forwards: Trace::new(path, &group, point, self.bounds, first),
-                pending: None,
-            });
+            self.follow(path, &point, None);
             return;
         }
         if self.diagram.branches.len() >= self.options.max_branches || self.family.budget() == 0 {
@@ -172,15 +178,49 @@ impl DiagramWork {
             return;
         }
         // First born, first followed: bifurcations of the steady response before those far from it.
-        if self.pending.is_empty() {
+        if !self.pending.is_empty() {
+            let pending = self.pending.remove(0);
+            if !self.is_visited(&pending.at) {
+                self.begin(pending);
+            }
+            return;
+        }
+        // Last of all what other branches were found to end on: by now most of that is there.
+        let Some(parent) = self.parents.pop() else {
             self.diagram.complete = true;
             self.done = true;
             return;
+        };
+        let Bounds { scale, .. } = self.bounds;
+        let (state, value) = scale.plain(&parent.at.at);
+        if !self.is_known(&parent)
+            && let Ok(point) = branch::on_branch(&mut self.family, parent.path, &state, value, &self.bounds)
+        {
+            self.follow(parent.path, &point, Some(parent.from));
         }
-        let pending = self.pending.remove(0);
-        if !self.is_visited(&pending.at) {
-            self.begin(pending);
-        }
+    }
+
+    /// Follows a branch both ways from a point.
+    fn follow(&mut self, path: Path, point: &Point, from: Option<(usize, usize)>) {
+        let group = *self.family.group();
+        let first = branch::FIRST_STEP * self.bounds.longest;
+        let turned = Point { tangent: point.tangent.map(|value| -value), ..*point };
+        self.current = Some(Current {
+            backwards: Trace::new(path, &group, turned, self.bounds, first),
+            forwards: Trace::new(path, &group, *point, self.bounds, first),
+            pending: None,
+            from,
+        });
+    }
+
+    /// Whether the branch on which another one ends is there already: it has an event at that place.
+    fn is_known(&self, parent: &Parent) -> bool {
+        let place = self.place(&parent.at);
+        self.diagram.branches.iter().enumerate().any(|(index, branch)| {
+            index != parent.from.0
+                && branch.period == parent.path.period()
+                && branch.events.iter().any(|event| self.same(place, (event.value, event.max_u)))
+        })
     }
 
     /// Switches onto a born branch.
@@ -209,19 +249,27 @@ impl DiagramWork {
                 backwards = trace(points, self.bounds);
             }
         }
-        self.current = Some(Current { backwards, forwards, pending: Some(pending) });
+        let from = Some(pending.from);
+        self.current = Some(Current { backwards, forwards, pending: Some(pending), from });
     }
 
     /// A branch that has ended becomes part of the diagram, and what is born on it is noted.
     fn take_in(&mut self, current: Current) {
+        if current.forwards.points.len().max(current.backwards.points.len()) < 2 {
+            // Too steep to be followed at all.
+            return;
+        }
         let birth = current
             .pending
             .as_ref()
             .filter(|pending| !pending.birth.both_ways)
             .map(|pending| (pending.nature_at_birth, pending.parent_period));
         let followed = assemble(&mut self.family, "Omega", [current.backwards, current.forwards], birth);
-        let Followed { branch, births, path } = followed;
+        let Followed { branch, births, parents, path } = followed;
         let index = self.diagram.branches.len();
+        for (event, parent) in parents.into_iter().enumerate() {
+            self.parents.extend(parent.map(|(path, at)| Parent { path, at, from: (index, event) }));
+        }
         for (event, birth) in births.into_iter().enumerate() {
             let here = &branch.events[event];
             let Some((birth, nature, at)) = birth else {
@@ -251,7 +299,7 @@ impl DiagramWork {
         error.residual = worst(error.residual, branch.error.residual);
         self.diagram.method.clone_from(&branch.method);
         self.diagram.branches.push(branch);
-        self.diagram.from.push(current.pending.map(|pending| pending.from));
+        self.diagram.from.push(current.from);
     }
 
     fn place(&self, at: &Point) -> (f64, f64) {
@@ -259,11 +307,14 @@ impl DiagramWork {
     }
 
     fn is_visited(&self, at: &Point) -> bool {
-        let (value, size) = self.place(at);
-        self.visited.iter().any(|(other, other_size)| {
-            (other - value).abs() < 1e-6 * self.bounds.scale.parameter
-                && (other_size - size).abs() < 1e-4 * size.max(1.0)
-        })
+        let place = self.place(at);
+        self.visited.iter().any(|other| self.same(place, *other))
+    }
+
+    /// Whether two bifurcations, by value and greatest |u|, are one.
+    fn same(&self, (value, size): (f64, f64), (other, other_size): (f64, f64)) -> bool {
+        (other - value).abs() < 1e-6 * self.bounds.scale.parameter
+            && (other_size - size).abs() < 1e-4 * size.max(1.0)
     }
 
     /// The diagram so far.
@@ -298,6 +349,7 @@ fn steady(
     options: &DiagramOptions,
 ) -> Result<(Path, Point), StudyError> {
     let [low, high] = options.omega;
+    branch::isolated_rest(p)?;
     let common = family.common();
     if common > LONGEST {
         return Err(StudyError::Option {

@@ -176,8 +176,8 @@ impl GearFamily {
             while propagation.time() < end {
                 self.spend(propagation.time())?;
                 let piece = propagation.piece();
-                let step = propagation.step(end)?;
-                seen.look(&step, propagation.state());
+                propagation.advance(end)?;
+                seen.look(propagation.latest(), propagation.state());
                 seen.pieces += usize::from(propagation.piece() != piece);
                 if seen.beyond(propagation.state(), bound) {
                     return Err(NumericsError::Escaped { time: propagation.time() });

@@ -152,9 +152,25 @@ pub fn image(
     step_factor: f64,
     budget: &Budget,
 ) -> Result<Image, NumericsError> {
+    let end = periods as f64 * pair.parameters.mesh_period();
+    image_between(pair, state, [0.0, end], tolerance, step_factor, budget)
+}
+
+/// As [`image`], from one time to another.
+///
+/// # Errors
+/// As [`image`].
+pub fn image_between(
+    pair: &GearPair,
+    state: &[f64; 6],
+    times: [f64; 2],
+    tolerance: f64,
+    step_factor: f64,
+    budget: &Budget,
+) -> Result<Image, NumericsError> {
     let field = Variational { pair: *pair };
     let start = variational::start(state);
-    let end = carried::<_, _, ORDER_20>(&field, start, 1, pair, periods, (tolerance, step_factor), budget)?;
+    let end = carried::<_, _, ORDER_20>(&field, start, 1, pair, times, (tolerance, step_factor), budget)?;
     Ok(variational::split(&end))
 }
 
@@ -172,26 +188,26 @@ pub fn image_on_manifold(
 ) -> Option<Result<Image, NumericsError>> {
     let field = Manifold::of(&pair.parameters).filter(|_| manifold::holds(state))?;
     let start = manifold::start(state);
-    let end = carried::<_, _, ORDER_16>(&field, start, 0, pair, periods, (tolerance, 1.0), budget);
+    let times = [0.0, periods as f64 * pair.parameters.mesh_period()];
+    let end = carried::<_, _, ORDER_16>(&field, start, 0, pair, times, (tolerance, 1.0), budget);
     Some(end.map(|end| manifold::split(&end)))
 }
 
-/// The end of a motion from t = 0; `gear` is the place of a number that is as great as the gear's displacement.
+/// The end of a motion from one time to another; `gear` is the place of a number that is as great as the gear's displacement.
 fn carried<F: TaylorField<N>, const N: usize, const LEN: usize>(
     field: &F,
     start: [f64; N],
     gear: usize,
     pair: &GearPair,
-    periods: usize,
+    [from, until]: [f64; 2],
     (tolerance, step_factor): (f64, f64),
     budget: &Budget,
 ) -> Result<[f64; N], NumericsError> {
-    let end = periods as f64 * pair.parameters.mesh_period();
     let options = Options { tolerance: motion::step_tolerance(tolerance), step_factor, steps: budget.left() };
-    let mut propagation = Propagation::<_, N, LEN>::new(field, 0.0, start, options);
+    let mut propagation = Propagation::<_, N, LEN>::new(field, from, start, options);
     let bounds = pair.escape_bounds();
-    while propagation.time() < end {
-        propagation.advance(end)?;
+    while propagation.time() < until {
+        propagation.advance(until)?;
         budget.spend(1);
         let now = propagation.state();
         if now[0].abs() > bounds[0] || now[gear].abs() > bounds[1] {

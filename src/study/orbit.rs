@@ -2,13 +2,14 @@
 
 use super::ErrorEstimate;
 use super::motion::{self, ORDER_20};
-use super::multipliers::{Budget, common_period, image, is_stable, trivial_state, unloaded};
+use super::multipliers::{Budget, common_period, image, image_between, is_stable, trivial_state, unloaded};
 use super::poincare::Strobe;
 use super::time_response::largest_difference;
 use crate::error::{NumericsError, StudyError};
 use crate::model::equations::GearPair;
 use crate::model::parameters::{Parameters, Regime};
-use crate::numerics::floquet;
+use crate::numerics::floquet::{self, Matrix6};
+use crate::numerics::multiple_shooting;
 use crate::numerics::newton;
 use crate::numerics::ode::event;
 use crate::numerics::ode::taylor::Options;
@@ -95,18 +96,100 @@ pub fn periodic_orbit(p: &Parameters, options: &OrbitOptions) -> Result<Periodic
     }
 }
 
+/// A state on an orbit, or, where one shot over the period is too long, as many states as shots.
+struct Found {
+    solution: newton::Solution,
+    /// At equally spaced times, the first at t = 0.
+    nodes: Vec<[f64; 6]>,
+}
+
+impl From<newton::Solution> for Found {
+    fn from(solution: newton::Solution) -> Self {
+        Self { nodes: vec![solution.point], solution }
+    }
+}
+
+/// What an unknown derivative's largest entry is taken for.
+const UNKNOWN: f64 = 1e10;
+
+/// Newton's method over the whole period, or over parts of it where its multipliers are large.
 fn solve(
     p: &Parameters,
     guess: [f64; 6],
     options: &OrbitOptions,
     budget: &Budget,
-) -> Result<newton::Solution, NumericsError> {
+) -> Result<Found, NumericsError> {
     let pair = GearPair::new(p);
     let bounds = newton::Options { tolerance: options.tolerance, ..newton::Options::default() };
-    fixed_point(guess, bounds, |state| image(&pair, state, options.period, options.tolerance, 1.0, budget))
+    let mut steepest = 0.0_f64;
+    let single = fixed_point(guess, bounds, |state| {
+        let image = image(&pair, state, options.period, options.tolerance, 1.0, budget);
+        if let Ok((_, derivative)) = &image {
+            steepest = derivative.iter().flatten().fold(steepest, |most, entry| most.max(entry.abs()));
+        }
+        image
+    });
+    // A guess that was given is believed, even where its motion does not last a period.
+    let escapes = matches!(single, Err(NumericsError::Escaped { .. })) && options.guess.is_some();
+    if steepest < multiple_shooting::STEEP && !escapes {
+        return single.map(Found::from);
+    }
+    let parts = multiple_shooting::parts(options.period, if escapes { UNKNOWN } else { steepest });
+    // The solution of the single shot, which may be as good as it can be there and still not within the tolerance.
+    let near = single.as_ref().map_or(guess, |solution| solution.point);
+    let several = start_of_parts(p, near, options, parts)
+        .and_then(|start| in_parts(&pair, start, options, bounds, budget));
+    several.or_else(|error| single.map(Found::from).map_err(|_| error))
 }
 
-/// The steady response: the T-periodic orbit that grows from the trivial state with the load.
+fn in_parts(
+    pair: &GearPair,
+    start: Vec<[f64; 6]>,
+    options: &OrbitOptions,
+    bounds: newton::Options,
+    budget: &Budget,
+) -> Result<Found, NumericsError> {
+    let part = options.period as f64 * pair.parameters.mesh_period() / start.len() as f64;
+    let nodes = multiple_shooting::solve(start, bounds, &mut |index, state| {
+        let times = [index as f64 * part, (index + 1) as f64 * part];
+        image_between(pair, state, times, options.tolerance, 1.0, budget)
+    })?;
+    let multiple_shooting::Nodes { states, residual, iterations } = nodes;
+    Ok(Found { solution: newton::Solution { point: states[0], residual, iterations }, nodes: states })
+}
+
+/// States to start from: of the first half of the period forwards from the guess, of the second backwards from it, so
+/// that an error of the guess grows over half of the period only.
+fn start_of_parts(
+    p: &Parameters,
+    guess: [f64; 6],
+    options: &OrbitOptions,
+    parts: usize,
+) -> Result<Vec<[f64; 6]>, NumericsError> {
+    let part = options.period as f64 * p.mesh_period() / parts as f64;
+    // The forces are even in time: run backwards, the damping alone changes its sign.
+    let reversed = GearPair::new(&Parameters { zeta: -p.zeta, zeta_p: -p.zeta_p, zeta_g: -p.zeta_g, ..*p });
+    let back =
+        |state: [f64; 6]| -> [f64; 6] { std::array::from_fn(|i| if i < 3 { state[i] } else { -state[i] }) };
+    let mut states = vec![guess; parts];
+    let forwards = GearPair::new(p);
+    for index in 1..=parts / 2 {
+        let start = (index - 1) as f64 * part;
+        let from = states[index - 1];
+        states[index] =
+            motion::carry(&forwards, start, from, start + part, options.tolerance.max(1e-10))?.state;
+    }
+    let mut state = back(guess);
+    for index in 1..parts.div_ceil(2) {
+        let start = (index - 1) as f64 * part;
+        state = motion::carry(&reversed, start, state, start + part, options.tolerance.max(1e-10))?.state;
+        states[parts - index] = back(state);
+    }
+    Ok(states)
+}
+
+/// The steady response: the T-periodic orbit that grows from the trivial state with the load, and where that folds
+/// back before all of the load acts, the orbit that a long motion comes to.
 ///
 /// In the backlash regime it is looked for in permanent contact first; where that response parts the teeth, it is
 /// the guess for the true one, and where this fails, the end of a long motion is.
@@ -122,14 +205,19 @@ pub fn response(
     let options = &OrbitOptions { period, ..*options };
     if unloaded(p) {
         let still = newton::Solution { point: trivial_state(p), residual: 0.0, iterations: 0 };
-        return describe(p, still, options);
+        return describe(p, still.into(), options);
     }
     if p.regime != Regime::Backlash {
-        return describe(p, grown_with_load(p, options, budget)?, options);
+        return match grown_with_load(p, options, budget) {
+            Ok(solution) => describe(p, solution, options),
+            Err(error @ NumericsError::TooManySteps { .. }) => Err(error.into()),
+            // Folded back before all of the load acts, as under a load at a resonance: what is left is stable.
+            Err(error) => from_long_motion(p, options, budget).map_err(|_| error.into()),
+        };
     }
     let contact = Parameters { regime: Regime::Contact, ..*p };
     if let Ok(solution) = grown_with_load(&contact, options, budget)
-        && let Ok(parted) = solve(p, solution.point, options, budget)
+        && let Ok(parted) = solve(p, solution.solution.point, options, budget)
     {
         return describe(p, parted, options);
     }
@@ -139,11 +227,7 @@ pub fn response(
 /// Smallest share of the load by which the response is carried on before the search is given up.
 const LEAST_SHARE: f64 = 1.0 / 4096.0;
 
-fn grown_with_load(
-    p: &Parameters,
-    options: &OrbitOptions,
-    budget: &Budget,
-) -> Result<newton::Solution, NumericsError> {
+fn grown_with_load(p: &Parameters, options: &OrbitOptions, budget: &Budget) -> Result<Found, NumericsError> {
     let loaded = |share: f64| Parameters {
         load: share * p.load,
         load_p: share * p.load_p,
@@ -152,7 +236,7 @@ fn grown_with_load(
         ..*p
     };
     let trivial = newton::Solution { point: trivial_state(p), residual: 0.0, iterations: 0 };
-    let (mut at, mut share, mut before) = (trivial, 0.0, None::<(f64, [f64; 6])>);
+    let (mut at, mut share, mut before) = (Found::from(trivial), 0.0, None::<(f64, [f64; 6])>);
     let mut step = 0.5;
     while share < 1.0 {
         let next = f64::min(share + step, 1.0);
@@ -160,14 +244,14 @@ fn grown_with_load(
         let guess = match before {
             Some((earlier, state)) => {
                 let ratio = (next - share) / (share - earlier);
-                std::array::from_fn(|i| at.point[i] + ratio * (at.point[i] - state[i]))
+                std::array::from_fn(|i| at.nodes[0][i] + ratio * (at.nodes[0][i] - state[i]))
             }
-            None => at.point,
+            None => at.nodes[0],
         };
         let found = solve(&loaded(next), guess, options, budget);
         match found {
-            Ok(solution) if near(&solution.point, &guess, &at.point) => {
-                before = Some((share, at.point));
+            Ok(solution) if near(&solution.nodes[0], &guess, &at.nodes[0]) => {
+                before = Some((share, at.nodes[0]));
                 (at, share) = (solution, next);
                 step *= 2.0;
             }
@@ -175,8 +259,8 @@ fn grown_with_load(
             Err(error) if step <= LEAST_SHARE => return Err(error),
             Ok(solution) if step <= LEAST_SHARE => {
                 return Err(NumericsError::NoConvergence {
-                    iterations: solution.iterations,
-                    residual: largest_difference(&solution.point, &guess),
+                    iterations: solution.solution.iterations,
+                    residual: largest_difference(&solution.nodes[0], &guess),
                     tolerance: options.tolerance,
                 });
             }
@@ -275,7 +359,7 @@ fn from_long_motion(
             return Err(NumericsError::TooManySteps { time: strobe.time(), steps: strobe.steps() }.into());
         }
         if strobe.next()?.is_none() {
-            let time = strobe.escaped().unwrap_or(f64::INFINITY);
+            let time = strobe.escaped().unwrap_or_else(|| strobe.time());
             return Err(NumericsError::Escaped { time }.into());
         }
     }
@@ -283,22 +367,41 @@ fn from_long_motion(
 }
 
 /// True period, multipliers, extrema and errors of a solution.
-fn describe(
-    p: &Parameters,
-    solution: newton::Solution,
-    options: &OrbitOptions,
-) -> Result<PeriodicOrbit, StudyError> {
+fn describe(p: &Parameters, found: Found, options: &OrbitOptions) -> Result<PeriodicOrbit, StudyError> {
     let pair = GearPair::new(p);
+    let Found { solution, mut nodes } = found;
     let state = solution.point;
-    let period = true_period(p, &state, options)?;
-    let (_, coarse) = image(&pair, &state, period, options.tolerance, 1.0, &Budget::default())?;
-    let (_, derivative) = image(&pair, &state, period, options.tolerance, 0.5, &Budget::default())?;
-    let monodromy = matrix(&derivative);
-    let spectrum = floquet::spectrum(&monodromy)?;
-    let step = spectrum.distance(&floquet::spectrum(&matrix(&coarse))?);
+    let period = true_period(p, &nodes, options)?;
+    let shots = nodes.len();
+    nodes.truncate((shots * period / options.period).max(1));
     let length = period as f64 * p.mesh_period();
+    let part = length / nodes.len() as f64;
+    // The derivative over the period is the product of those over its parts, each from a state that is on the orbit.
+    let product = |step_factor: f64| -> Result<Matrix6, NumericsError> {
+        let mut product = Matrix6::identity();
+        for (index, node) in nodes.iter().enumerate() {
+            let times = [index as f64 * part, (index + 1) as f64 * part];
+            let (_, derivative) =
+                image_between(&pair, node, times, options.tolerance, step_factor, &Budget::default())?;
+            product = matrix(&derivative) * product;
+        }
+        Ok(product)
+    };
+    let (coarse, monodromy) = (product(1.0)?, product(0.5)?);
+    let spectrum = floquet::spectrum(&monodromy)?;
+    let step = spectrum.distance(&floquet::spectrum(&coarse)?);
     let liouville = floquet::liouville_residual(&monodromy, pair.trace() * length);
-    let (min, max) = extrema(&pair, state, length, options.tolerance)?;
+    let (mut min, mut max) = (state, state);
+    for (index, node) in nodes.iter().enumerate() {
+        let start = index as f64 * part;
+        let (low, high) = extrema(&pair, *node, [start, start + part], options.tolerance)?;
+        (0..6).for_each(|i| (min[i], max[i]) = (min[i].min(low[i]), max[i].max(high[i])));
+    }
+    let method = if shots == 1 {
+        "Newton's method on the stroboscopic map, variational Taylor series".into()
+    } else {
+        format!("multiple shooting in {shots} parts, variational Taylor series")
+    };
     Ok(PeriodicOrbit {
         state,
         re: spectrum.re,
@@ -307,7 +410,7 @@ fn describe(
         min,
         max,
         period,
-        method: "Newton's method on the stroboscopic map, variational Taylor series".into(),
+        method,
         error: ErrorEstimate {
             liouville: Some(liouville),
             step: Some(step),
@@ -316,25 +419,38 @@ fn describe(
     })
 }
 
-fn true_period(p: &Parameters, state: &[f64; 6], options: &OrbitOptions) -> Result<usize, StudyError> {
+/// The shortest period after which the orbit returns.
+fn true_period(p: &Parameters, nodes: &[[f64; 6]], options: &OrbitOptions) -> Result<usize, StudyError> {
     let common = common_period(p)?;
+    let state = nodes[0];
     let size = state.iter().fold(1.0_f64, |most, value| most.max(value.abs()));
-    let mut strobe = Strobe::new(p, *state, options.tolerance)?;
+    let divides = |period: usize| options.period.is_multiple_of(period) && period.is_multiple_of(common);
+    if nodes.len() > 1 {
+        let returns = |period: &usize| {
+            let (place, rest) =
+                (nodes.len() * period / options.period, nodes.len() * period % options.period);
+            rest == 0 && largest_difference(&nodes[place], &state) <= SAME * size
+        };
+        return Ok((1..options.period)
+            .filter(|period| divides(*period))
+            .find(returns)
+            .unwrap_or(options.period));
+    }
+    let mut strobe = Strobe::new(p, state, options.tolerance)?;
     for period in 1..options.period {
         let Some(now) = strobe.next()? else { break };
-        let divides = options.period.is_multiple_of(period) && period.is_multiple_of(common);
-        if divides && largest_difference(&now, state) <= SAME * size {
+        if divides(period) && largest_difference(&now, &state) <= SAME * size {
             return Ok(period);
         }
     }
     Ok(options.period)
 }
 
-/// Least and greatest value of each coordinate from t = 0 to `length`.
+/// Least and greatest value of each coordinate from one time to another.
 fn extrema(
     pair: &GearPair,
     state: [f64; 6],
-    length: f64,
+    [start, end]: [f64; 2],
     tolerance: f64,
 ) -> Result<([f64; 6], [f64; 6]), NumericsError> {
     let (mut min, mut max) = (state, state);
@@ -343,7 +459,7 @@ fn extrema(
         min[coordinate] = min[coordinate].min(low);
         max[coordinate] = max[coordinate].max(high);
     };
-    motion::follow::<ORDER_20>(pair, 0.0, state, length, options, |step, _| {
+    motion::follow::<ORDER_20>(pair, start, state, end, options, |step, _| {
         (0..6).for_each(|i| widen(i, event::range(&step.coordinate(i), step.length)));
     })?;
     Ok((min, max))

@@ -202,6 +202,10 @@ pub struct Search<'a> {
 
 /// Intervals shorter than this part of a unit length are points.
 const SHORTEST: f64 = 1e-11;
+/// Factor of the tolerance of points that only narrow an interval.
+const ROUGH: f64 = 1e3;
+/// A root is near when the places tried for it move by less.
+const CLOSE: f64 = 1e-5;
 /// Most divisions of one interval.
 const DEEPEST: usize = 48;
 
@@ -257,12 +261,25 @@ impl Search<'_> {
         to: &Point,
         arc: f64,
     ) -> Result<Point, NumericsError> {
+        self.point_within(family, from, to, arc, self.frame.tolerance)
+    }
+
+    fn point_within(
+        &self,
+        family: &mut dyn Family,
+        from: &Point,
+        to: &Point,
+        arc: f64,
+        tolerance: f64,
+    ) -> Result<Point, NumericsError> {
         let place = if self.knots.len() < 4 {
             predictor::hermite(&from.knot(), &to.knot(), arc)
         } else {
             predictor::place(self.knots, arc)
         };
-        let corrected = correct(family, &self.frame, &place, &self.normal, None)?;
+        let along = predictor::direction(self.knots, arc);
+        let frame = Frame { tolerance, ..self.frame };
+        let corrected = correct(family, &frame, &place, &self.normal, along.as_ref())?;
         let slack = family.slack();
         finish(corrected, arc, self.frame.space, slack)
     }
@@ -292,6 +309,8 @@ impl Search<'_> {
         // steps that do not halve the interval a bisection.
         let mut side = 0;
         let mut width = high.arc - low.arc;
+        // What is far from the root yet need not be known to all digits.
+        let mut fine = !smooth;
         for iteration in 1..=DEEPEST {
             let length = high.arc - low.arc;
             if length < SHORTEST {
@@ -306,7 +325,8 @@ impl Search<'_> {
                 }
                 share = share.clamp(1e-6, 1.0 - 1e-6);
             }
-            let middle = match self.point(family, &low, &high, low.arc + share * length) {
+            let tolerance = if fine { self.frame.tolerance } else { ROUGH * self.frame.tolerance };
+            let middle = match self.point_within(family, &low, &high, low.arc + share * length, tolerance) {
                 Ok(middle) => middle,
                 // At a crossing of two branches the last places are singular: what is bracketed so far is the answer.
                 Err(_) if length < 1e-5 => break,
@@ -319,6 +339,8 @@ impl Search<'_> {
                 if here == 0.0 {
                     break;
                 }
+                let was_fine = fine;
+                fine |= moved < CLOSE;
                 if (here > 0.0) == (at_low > 0.0) {
                     (low, at_low) = (middle, here);
                     if side == -1 {
@@ -332,7 +354,7 @@ impl Search<'_> {
                     }
                     side = 1;
                 }
-                if iteration > 2 && moved < SHORTEST {
+                if iteration > 2 && was_fine && moved < SHORTEST {
                     break;
                 }
             } else if changed(&low, &middle, sign, block) {

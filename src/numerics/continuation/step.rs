@@ -60,9 +60,15 @@ const SHORTEST: f64 = 1e-6;
 const ANGLE: f64 = 0.3;
 /// Angle between the tangents that the step is set for.
 const GENTLE: f64 = 0.1;
-/// Largest entry of a linearisation from which points, and what happens between them, are still found: beyond, a
-/// rounding error grows to the size of the tolerance within the period.
-const STEEPEST: f64 = 1e7;
+/// Largest entry of a linearisation from which points, and what happens between them, are still found. The error that
+/// the last correction leaves of a state, some 1e-8, times this entry is the relative error of the linearisation itself:
+/// where it nears one, signs of test functions are noise and folds are seen in clusters.
+const STEEPEST: f64 = 3e5;
+/// Largest entry of a linearisation from which a branch is followed only as long as its steps do not shrink: the
+/// steeper the map, the nearer together are the points at which it can be told from its linearisation.
+const STEEP: f64 = 1e4;
+/// Steps shorter than this part of the longest are too short for a steep branch.
+const CRAWLING: f64 = 3e-5;
 /// Most points that are added between three others.
 const MOST_DIPS: usize = 8;
 /// Greatest change of the linearisation over a step, relative to its size.
@@ -121,7 +127,7 @@ impl Trace {
             return true;
         }
         let steepness = self.last().evaluation.derivative.amax();
-        if steepness > STEEPEST {
+        if steepness > STEEPEST || (steepness > STEEP && self.step < CRAWLING * self.bounds.longest) {
             self.end = Some(End::Steep(steepness));
             return true;
         }

@@ -16,12 +16,14 @@ pub(crate) struct Followed {
     pub branch: Branch,
     /// Of each event, what is born there and from where.
     pub births: Vec<Option<(Birth, Nature, Point)>>,
+    /// Of each event at which this branch was found to end on another, that one and the point.
+    pub parents: Vec<Option<(Path, Point)>>,
     /// The points' maps and symmetries.
     pub path: Path,
 }
 
-/// What was located, as an event, with what is born there.
-type Noted = (BranchEvent, Option<(Birth, Nature, Point)>);
+/// What was located, as an event, with what is born there, or what it was born of.
+type Noted = (BranchEvent, Option<(Birth, Nature, Point)>, Option<(Path, Point)>);
 
 /// One branch from its two parts. The first is only the start where the branch is `born` there: then what happens
 /// there and the period of the other branch are given.
@@ -44,33 +46,35 @@ pub(crate) fn assemble(
             let noted = describe(family, trace, index, &located);
             events.push((sign * located.point.arc, noted));
         }
-        if let (Some(nature), Some(point)) = (birth, trace.points.last()) {
+        if let (Some((parent, nature)), Some(point)) = (birth, trace.points.last()) {
             let event = event(family, scale, nature, point, None);
-            events.push((sign * point.arc, (event, None)));
+            events.push((sign * point.arc, (event, None, Some((parent, *point)))));
         }
     }
     if let (Some((nature, period)), Some(point)) = (born, forwards.points.first()) {
         ends[0] = BranchEnd::BornFrom { period };
-        events.push((0.0, (event(family, scale, nature, point, None), None)));
+        events.push((0.0, (event(family, scale, nature, point, None), None, None)));
     }
     events.sort_unstable_by(|left, right| left.0.total_cmp(&right.0));
     let mut points: Vec<(f64, Point)> = Vec::with_capacity(backwards.points.len() + forwards.points.len());
     points.extend(backwards.points.iter().skip(1).rev().map(|point| (-point.arc, *point)));
     points.extend(forwards.points.iter().map(|point| (point.arc, *point)));
     let mut births = Vec::with_capacity(events.len());
+    let mut parents = Vec::with_capacity(events.len());
     let mut listed = Vec::with_capacity(events.len());
-    for (arc, (mut event, birth)) in events {
+    for (arc, (mut event, birth, parent)) in events {
         event.after = points.partition_point(|(other, _)| *other <= arc).saturating_sub(1);
         listed.push(event);
         births.push(birth);
+        parents.push(parent);
     }
     let points: Vec<Point> = points.into_iter().map(|(_, point)| point).collect();
     let branch = columns(family, parameter, path, scale, &points, listed, ends);
-    Followed { branch, births, path }
+    Followed { branch, births, parents, path }
 }
 
 /// The end of one part of a branch, and of one that shrinks its birth, which becomes its last point.
-fn ended(family: &mut GearFamily, trace: &mut Trace) -> (BranchEnd, Option<Nature>) {
+fn ended(family: &mut GearFamily, trace: &mut Trace) -> (BranchEnd, Option<(Path, Nature)>) {
     match trace.end.clone() {
         Some(End::Range) | None => (BranchEnd::Range, None),
         Some(End::Points) => (BranchEnd::Points, None),
@@ -78,7 +82,7 @@ fn ended(family: &mut GearFamily, trace: &mut Trace) -> (BranchEnd, Option<Natur
         Some(End::Steep(entry)) => (BranchEnd::Steep { entry }, None),
         Some(End::Lost(reason)) => (BranchEnd::Lost { reason }, None),
         Some(End::Shrunk(shrunk)) => match switch::finish_shrunk(family, trace, shrunk) {
-            Ok((parent, nature)) => (BranchEnd::BornFrom { period: parent.period() }, Some(nature)),
+            Ok((parent, nature)) => (BranchEnd::BornFrom { period: parent.period() }, Some((parent, nature))),
             Err(reason) => (BranchEnd::Lost { reason }, None),
         },
     }
@@ -122,7 +126,7 @@ fn describe(family: &mut GearFamily, trace: &Trace, index: usize, located: &Loca
         supercritical = Some((second.at[6] > located.point.at[6]) == less_stable_above);
     }
     let event = event(family, scale, nature, &located.point, supercritical);
-    (event, birth.map(|birth| (birth, nature, located.point)))
+    (event, birth.map(|birth| (birth, nature, located.point)), None)
 }
 
 fn columns(
