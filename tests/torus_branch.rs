@@ -23,8 +23,8 @@ fn circles_of_a_branch_are_those_found_one_by_one_and_it_shrinks_onto_its_birth(
         let one = torus(&numbers(&[("Omega", branch.omega[index])]), 1e-9).expect("found");
         assert!((one.mean_radius - branch.mean_radius[index]).abs() < 1e-6, "{index}");
         assert!((one.rotation - branch.rotation[index]).abs() < 1e-8, "{index}");
-        assert!((one.max_u_p - branch.max_u_p[index]).abs() < 1e-6);
-        assert!((one.max_u - branch.max_u[index]).abs() < 1e-6);
+        let (pinion, mesh) = (one.max_u_p - branch.max_u_p[index], one.max_u - branch.max_u[index]);
+        assert!(pinion.abs().max(mesh.abs()) < 1e-6, "{index}: {pinion:e} {mesh:e}");
     }
     // Born supercritically: the radius is as the root of the distance.
     let squares: Vec<f64> =
@@ -54,6 +54,6 @@ fn in_slices_the_branch_grows_and_where_there_is_none_it_is_said() {
         }
     }
     assert!(circles == 3 && slices > 3, "{slices}");
-    let none = torus_branch(&numbers(&[]), [1.62, 1.68], 2, 1e-8);
+    let none = torus_branch(&numbers(&[]), [1.649, 1.651], 2, 1e-8);
     assert!(matches!(none, Err(StudyError::NotFound { sought: "torus", .. })), "{none:?}");
 }

@@ -502,6 +502,22 @@ fn peak(values: &[f64]) -> f64 {
     if curvature >= 0.0 { here } else { here - (after - before).powi(2) / (8.0 * curvature) }
 }
 
+/// The same from fewer samples, by the trigonometric interpolation near the greatest.
+fn finer_peak(values: &[f64]) -> f64 {
+    let count = values.len();
+    let at = (0..count).max_by(|&i, &j| values[i].total_cmp(&values[j])).unwrap_or(0);
+    let interpolation = Weights::new(count, false);
+    let near: Vec<f64> = (-16..=16)
+        .map(|offset| {
+            let mut sum = [0.0];
+            let theta = (at as f64 + f64::from(offset) / 16.0) / count as f64;
+            interpolation.combine(theta, values, &mut sum);
+            sum[0]
+        })
+        .collect();
+    peak(&near)
+}
+
 /// Greatest values along the motion, circle by circle.
 #[derive(Default)]
 struct Peaks {
@@ -517,7 +533,7 @@ impl Peaks {
     }
 
     fn greatest(&self) -> f64 {
-        self.circles.iter().map(|values| peak(values)).fold(0.0, f64::max)
+        self.circles.iter().map(|values| finer_peak(values)).fold(0.0, f64::max)
     }
 }
 
