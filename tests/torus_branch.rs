@@ -24,7 +24,11 @@ fn circles_of_a_branch_are_those_found_one_by_one_and_it_shrinks_onto_its_birth(
         assert!((one.mean_radius - branch.mean_radius[index]).abs() < 1e-6, "{index}");
         assert!((one.rotation - branch.rotation[index]).abs() < 1e-8, "{index}");
         let (pinion, mesh) = (one.max_u_p - branch.max_u_p[index], one.max_u - branch.max_u[index]);
-        assert!(pinion.abs().max(mesh.abs()) < 1e-6, "{index}: {pinion:e} {mesh:e}");
+        // Taken from samples that are not the same.
+        assert!(
+            pinion.abs() < 2e-4 * one.max_u_p && mesh.abs() < 2e-4 * one.max_u,
+            "{index}: {pinion:e} {mesh:e}"
+        );
     }
     // Born supercritically: the radius is as the root of the distance.
     let squares: Vec<f64> =

@@ -175,12 +175,12 @@ impl BasinWork {
             pair,
             options: *options,
             common,
-            search: Slices::new(search(Search {
+            search: Slices::new(search(Box::new(Search {
                 pair,
                 options: *options,
                 common,
                 mirrored: mirrored || p.regime == Regime::Homogeneous,
-            })),
+            }))),
             known: Vec::new(),
             stage: Stage::Search,
             order,
@@ -345,8 +345,8 @@ struct Found {
 }
 
 /// Looks for attractors from starts spread over the plane.
-async fn search(search: Search) -> Result<Found, StudyError> {
-    let Search { pair, options, .. } = &search;
+async fn search(search: Box<Search>) -> Result<Found, StudyError> {
+    let Search { pair, options, .. } = &*search;
     let change = check_period(pair, options)?;
     let budget = Budget::of(SEARCH_STEPS);
     let mut known = Vec::new();
@@ -357,7 +357,7 @@ async fn search(search: Search) -> Result<Found, StudyError> {
     };
     for index in 0..SEARCH * SEARCH {
         let start = options.start(place(&options.x, index % SEARCH), place(&options.y, index / SEARCH));
-        attractor::explore(search, start, &mut known, &budget).await?;
+        attractor::explore(&search, start, &mut known, &budget).await?;
         if budget.left() == 0 {
             break;
         }

@@ -119,7 +119,7 @@ pub struct Budget {
 }
 
 /// Steps between two pauses: some milliseconds.
-pub(crate) const SLICE: usize = 5000;
+pub(crate) const SLICE: usize = 4000;
 
 impl Default for Budget {
     fn default() -> Self {

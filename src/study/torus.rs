@@ -62,9 +62,9 @@ pub struct Torus {
     pub r_min: f64,
     /// Greatest of it.
     pub r_max: f64,
-    /// Greatest `|u_p|` along the motion, between the points of the map as well.
+    /// Greatest `|u_p|` along the motion, between the points of the map as well: from samples, to about 1e-4 of its size.
     pub max_u_p: f64,
-    /// Greatest `|u|` along the motion.
+    /// Greatest `|u|` along the motion, likewise.
     pub max_u: f64,
     /// Number of circles, that is mesh periods after which the map returns to the same one.
     pub circles: usize,

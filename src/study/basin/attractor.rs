@@ -136,12 +136,12 @@ pub(super) struct Search {
 
 /// Follows a start in search of an attractor that is not known yet.
 pub(super) async fn explore(
-    search: Search,
+    search: &Search,
     start: [f64; 6],
     known: &mut Vec<Known>,
     budget: &Budget,
 ) -> Result<(), StudyError> {
-    let Search { pair, options, common, mirrored } = &search;
+    let Search { pair, options, common, mirrored } = search;
     let common = *common;
     let p = &pair.parameters;
     let period = p.mesh_period();
@@ -188,7 +188,7 @@ pub(super) async fn explore(
                 re: orbit.re,
                 im: orbit.im,
             };
-            add_orbit(&search, attractor, &spectrum, known, budget).await?;
+            add_orbit(search, attractor, &spectrum, known, budget).await?;
         }
     }
     let last = states[states.len() - 1];

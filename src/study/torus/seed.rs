@@ -245,7 +245,7 @@ fn fitted(section: &Section, states: &[[f64; 6]], mirrored: bool) -> Option<Circ
 }
 
 /// Adds the averages of a motion that starts on the circle: a motion that came to it may not have settled for long.
-async fn measured<'a>(mut known: Known<'a>, tolerance: f64) -> Result<Known<'a>, StudyError> {
+async fn measured(mut known: Known<'_>, tolerance: f64) -> Result<Known<'_>, StudyError> {
     let section = known.section;
     let start = section.expand(&known.circle.nodes[..known.circle.dimension]);
     let mut strobe = Strobe::new(&section.pair.parameters, start, tolerance)?;
