@@ -32,6 +32,19 @@ pub struct Ellipsoid {
     level: f64,
 }
 
+/// How far the growth of an ellipsoid has come.
+#[derive(Clone, Debug)]
+pub struct Growth {
+    directions: Vec<Vec<f64>>,
+    /// The greatest size that is tried.
+    most: f64,
+    /// The size tried next, and the last one that passed.
+    size: f64,
+    passed: f64,
+    /// Ratio of the sizes tried in turn.
+    factor: f64,
+}
+
 impl Ellipsoid {
     /// The form that belongs to a linearised map (by rows) of this spectral radius; none where it does not contract or
     /// rounding spoils it. The level is 0.
@@ -92,33 +105,42 @@ impl Ellipsoid {
         sum
     }
 
-    /// Grows the ellipsoid, from one whose widest half-axis is `least` to one of `most`, as long as `map` carries every
-    /// point tried on its surface strictly inwards; `map` says no where a motion is lost.
-    pub fn grow(&mut self, least: f64, most: f64, map: &mut dyn FnMut(&[f64]) -> Option<Vec<f64>>) {
-        let directions = directions(self.dimension);
-        let unit = self.widths();
-        let widest = unit.iter().copied().fold(0.0, f64::max);
-        let mut inwards = |size: f64| {
-            directions.iter().all(|direction| {
+    /// The trials by which it may grow: from one whose widest half-axis is `least` to one of `most`.
+    pub fn growth(&self, least: f64, most: f64) -> Growth {
+        let widest = self.widths().into_iter().fold(0.0, f64::max);
+        Growth {
+            directions: directions(self.dimension),
+            most: most / widest,
+            size: least / widest,
+            passed: 0.0,
+            factor: STRIDE,
+        }
+    }
+
+    /// Grows the ellipsoid by the next size as long as `map` carries every point tried on its surface strictly inwards;
+    /// `map` says no where a motion is lost. False when it has grown as far as it can.
+    pub fn grow(&mut self, growth: &mut Growth, map: &mut dyn FnMut(&[f64]) -> Option<Vec<f64>>) -> bool {
+        let size = growth.size;
+        let inwards = size <= growth.most
+            && growth.directions.iter().all(|direction| {
                 let state = self.surface(direction, size);
                 map(&state).is_some_and(|image| self.value(&image) < FALL * size * size)
-            })
-        };
-        // In strides first, then from the last size that passed in small steps.
-        let (mut passed, mut size) = (0.0, least / widest);
-        for growth in [STRIDE, GROWTH] {
-            while size * widest <= most && inwards(size) {
-                passed = size;
-                size *= growth;
-            }
-            size = GROWTH * passed;
-            if passed == 0.0 {
-                break;
-            }
+            });
+        if inwards {
+            growth.passed = size;
+            growth.size *= growth.factor;
+            return true;
         }
-        let size = SAFETY * passed;
+        if growth.factor == STRIDE && growth.passed > 0.0 {
+            // In strides first, then from the last size that passed in small steps.
+            growth.factor = GROWTH;
+            growth.size = GROWTH * growth.passed;
+            return true;
+        }
+        let size = SAFETY * growth.passed;
         self.level = size * size;
-        self.reach = unit.iter().map(|width| width * size).collect();
+        self.reach = self.widths().iter().map(|width| width * size).collect();
+        false
     }
 
     /// The point of the surface `V = size^2` in a direction of the unit sphere: `centre + size L^-T direction`.
@@ -249,7 +271,8 @@ mod tests {
     fn the_ellipsoid_is_within_the_basin_and_fills_a_good_part_of_it() {
         let linear = [0.48, -0.64, 0.64, 0.48];
         let mut ball = Ellipsoid::new(&[0.0, 0.0], &linear, 0.8).expect("contracts");
-        ball.grow(1e-3, 10.0, &mut |x| Some(map(x)));
+        let mut growth = ball.growth(1e-3, 10.0);
+        while ball.grow(&mut growth, &mut |x| Some(map(x))) {}
         assert!(ball.reach().iter().all(|reach| *reach > 0.4 && *reach < 1.0), "{:?}", ball.reach());
         for index in 0..400 {
             let start = [f64::from(index % 20) * 0.15 - 1.5, f64::from(index / 20) * 0.15 - 1.5];

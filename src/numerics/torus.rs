@@ -24,7 +24,8 @@ pub struct Circle {
     pub rotation: f64,
 }
 
-/// What the map does to a point: its image, and, where asked for, the derivative by rows.
+/// What the map does to several points, one after the other in one row: their images, and, where asked for, the
+/// derivative at each by rows.
 pub type Map<'a> = dyn FnMut(&[f64], &mut [f64], Option<&mut [f64]>) -> Result<(), NumericsError> + 'a;
 
 /// Bounds of the search.
@@ -147,16 +148,17 @@ impl Circle {
     /// # Errors
     /// As the map.
     pub fn defect(&self, map: &mut Map, stride: usize) -> Result<f64, NumericsError> {
-        let mut image = vec![0.0; self.dimension];
-        let mut most = 0.0_f64;
-        for node in (0..self.count()).step_by(stride.max(1)) {
-            let theta = 0.5 * (self.theta(node) + self.theta(node + 1));
-            map(&self.point(theta), &mut image, None)?;
-            let expected = self.point(theta + self.rotation);
-            for (found, wanted) in image.iter().zip(&expected) {
-                most = most.max((found - wanted).abs());
-            }
-        }
+        let halfway = |node: usize| 0.5 * (self.theta(node) + self.theta(node + 1));
+        let between = || (0..self.count()).step_by(stride.max(1));
+        let points: Vec<f64> = between().flat_map(|node| self.point(halfway(node))).collect();
+        let mut images = vec![0.0; points.len()];
+        map(&points, &mut images, None)?;
+        let expected = between().flat_map(|node| self.point(halfway(node) + self.rotation));
+        // Not a number stays visible, which a maximum would hide.
+        let most = images.iter().zip(expected).fold(0.0_f64, |most, (found, wanted)| {
+            let distance = (found - wanted).abs();
+            if distance.is_finite() { most.max(distance) } else { f64::INFINITY }
+        });
         if most.is_finite() { Ok(most) } else { Err(NumericsError::NotFinite { time: 0.0 }) }
     }
 
@@ -273,12 +275,7 @@ impl Circle {
         let block = dimension * dimension;
         let mut right = vec![0.0; self.nodes.len()];
         let mut rows = vec![0.0; if derivatives { self.count() * block } else { 0 }];
-        for (index, (node, image)) in
-            self.nodes.chunks_exact(dimension).zip(right.chunks_exact_mut(dimension)).enumerate()
-        {
-            let rows = if derivatives { Some(&mut rows[index * block..(index + 1) * block]) } else { None };
-            map(node, image, rows)?;
-        }
+        map(&self.nodes, &mut right, derivatives.then_some(&mut rows[..]))?;
         let on_curve = self.combine(turned, |(value, _)| value);
         for (image, expected) in right.iter_mut().zip(&on_curve) {
             *image -= expected;
@@ -327,7 +324,7 @@ mod tests {
     /// A map of the plane with a known attracting circle: turned by a known angle in polar coordinates about a centre,
     /// seen through a bent coordinate. `odd` keeps the mirror image.
     fn bent(odd: bool, rotation: f64) -> impl FnMut(&[f64], &mut [f64], Option<&mut [f64]>) -> Images {
-        move |x, image, derivative| {
+        let one = move |x: &[f64], image: &mut [f64], derivative: Option<&mut [f64]>| {
             let bend = |x: f64| if odd { 0.2 * x.powi(3) } else { 0.3 * x * x };
             let apply = |x: &[f64]| {
                 let (a, b) = (x[0], x[1] - bend(x[0]));
@@ -350,6 +347,11 @@ mod tests {
                         rows[2 * row + column] = (ahead[row] - behind[row]) / 2e-5;
                     }
                 }
+            }
+        };
+        move |points, images, mut derivatives| {
+            for (index, (x, image)) in points.chunks(2).zip(images.chunks_mut(2)).enumerate() {
+                one(x, image, derivatives.as_mut().map(|rows| &mut rows[4 * index..4 * index + 4]));
             }
             Ok(())
         }

@@ -8,7 +8,8 @@
 use super::ErrorEstimate;
 use super::grid::Grid;
 use super::motion::{self, TOLERANCE};
-use super::multipliers::{common_period, trivial_state};
+use super::multipliers::{Budget, SLICE, common_period, trivial_state};
+use super::slices::Slices;
 use super::time_response::largest_difference;
 use crate::error::StudyError;
 use crate::model::equations::GearPair;
@@ -17,7 +18,7 @@ use crate::model::parameters::{Parameters, Regime};
 
 mod attractor;
 mod lanes;
-use attractor::{Arrival, Known};
+use attractor::{Arrival, Known, Search};
 pub use attractor::{Attractor, AttractorKind};
 
 /// The start escapes.
@@ -27,14 +28,13 @@ pub const UNDECIDED: i32 = -2;
 
 /// Steps that a period counts which could not be carried through.
 const FAILED: usize = 400_000;
-/// Integration steps of one slice of work: some milliseconds.
-const SLICE: usize = 30_000;
-/// Integration steps of a whole share: half a minute. What is left then stays undecided.
-const MOST_STEPS: usize = 40_000_000;
+/// Integration steps of a share, and besides of each of its cells: some seconds for a small picture. What is left then
+/// stays undecided.
+const MOST_STEPS: (usize, usize) = (600_000, 1000);
 /// Starts along each axis from which attractors are looked for.
 const SEARCH: usize = 7;
 /// Integration steps of the search for attractors.
-const SEARCH_STEPS: usize = 4_000_000;
+const SEARCH_STEPS: usize = 800_000;
 /// Most cells.
 const MOST_CELLS: usize = 1 << 22;
 /// Widest distance of the cells done first.
@@ -88,10 +88,10 @@ pub struct Basin {
 }
 
 /// What remains to be done.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
-    /// The next start of the search.
-    Search(usize),
+    /// The attractors are looked for.
+    Search,
     /// The next cell of the order.
     Cells(usize),
     Done,
@@ -118,11 +118,12 @@ enum Carried {
 }
 
 /// Basins in the making.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct BasinWork {
     pair: GearPair,
     options: BasinOptions,
     common: usize,
+    search: Slices<Result<Found, StudyError>>,
     known: Vec<Known>,
     stage: Stage,
     /// The cells of this share, coarse to fine.
@@ -174,8 +175,14 @@ impl BasinWork {
             pair,
             options: *options,
             common,
+            search: Slices::new(search(Box::new(Search {
+                pair,
+                options: *options,
+                common,
+                mirrored: mirrored || p.regime == Regime::Homogeneous,
+            }))),
             known: Vec::new(),
-            stage: Stage::Search(0),
+            stage: Stage::Search,
             order,
             cells: Vec::new(),
             lanes: OnManifold::new(p).filter(|_| common == 1 && starts_on_manifold(options)),
@@ -191,13 +198,17 @@ impl BasinWork {
     /// # Errors
     /// [`StudyError::Numerics`] where the integration fails.
     pub fn advance(&mut self) -> Result<bool, StudyError> {
-        let until = self.steps + SLICE;
-        while self.steps < until {
-            match self.stage {
-                Stage::Search(index) => self.search(index)?,
-                Stage::Cells(_) => self.follow(),
-                Stage::Done => return Ok(true),
+        if self.stage == Stage::Search {
+            if let Some(found) = self.search.advance() {
+                let found = found?;
+                (self.known, self.basin.error.step) = (found.known, found.change);
+                self.close_search();
             }
+            return Ok(false);
+        }
+        let until = self.steps + SLICE;
+        while self.steps < until && self.stage != Stage::Done {
+            self.follow();
         }
         Ok(self.stage == Stage::Done)
     }
@@ -205,34 +216,6 @@ impl BasinWork {
     /// The picture so far.
     pub fn basin(&self) -> &Basin {
         &self.basin
-    }
-
-    /// Looks for attractors from the next of the starts spread over the plane.
-    fn search(&mut self, index: usize) -> Result<(), StudyError> {
-        if index == 0 {
-            self.basin.error.step = self.check_period()?;
-        }
-        let (column, row) = (index % SEARCH, index / SEARCH);
-        let place = |grid: &Grid, index: usize| {
-            // Off the middle, where the unloaded state may rest unstably for ever.
-            let share = (index as f64 + 0.53) / SEARCH as f64;
-            grid.low + (grid.high - grid.low) * share
-        };
-        if row >= SEARCH || self.steps > SEARCH_STEPS {
-            self.close_search();
-            return Ok(());
-        }
-        let start = self.start(place(&self.options.x, column), place(&self.options.y, row));
-        self.steps += attractor::explore(
-            &self.pair,
-            start,
-            &self.options,
-            self.common,
-            self.mirrored || self.pair.parameters.regime == Regime::Homogeneous,
-            &mut self.known,
-        )?;
-        self.stage = Stage::Search(index + 1);
-        Ok(())
     }
 
     fn close_search(&mut self) {
@@ -244,30 +227,13 @@ impl BasinWork {
         self.stage = Stage::Cells(0);
     }
 
-    /// The start that belongs to a place in the plane.
-    fn start(&self, x: f64, y: f64) -> [f64; 6] {
-        let mut state = self.options.state;
-        let plane = self.options.plane;
-        for (coordinate, value) in plane.into_iter().zip([x, y]) {
-            state[coordinate] = value;
-        }
-        for (coordinate, value) in plane.into_iter().zip([x, y]) {
-            if let Some(partner) = partner(coordinate)
-                && !plane.contains(&partner)
-            {
-                state[partner] = -value;
-            }
-        }
-        state
-    }
-
     /// The next cell of the order whose start is within the bounds of escape.
     fn next_cell(&mut self) -> Option<Cell> {
         while let Stage::Cells(place) = self.stage {
             let index = *self.order.get(place)? as usize;
             self.stage = Stage::Cells(place + 1);
             let (x, y) = (index % self.options.x.count, index / self.options.x.count);
-            let state = self.start(self.options.x.value(x), self.options.y.value(y));
+            let state = self.options.start(self.options.x.value(x), self.options.y.value(y));
             if motion::check_state(&self.pair, &state).is_ok() {
                 return Some(Cell { index, state, periods: 0, arrival: Arrival::default() });
             }
@@ -278,7 +244,7 @@ impl BasinWork {
 
     /// Carries the cells under way through one period, and begins others in the place of those that are decided.
     fn follow(&mut self) {
-        if self.steps > MOST_STEPS {
+        if self.steps > MOST_STEPS.0 + MOST_STEPS.1 * self.order.len() {
             self.stage = Stage::Done;
             return;
         }
@@ -296,7 +262,9 @@ impl BasinWork {
             Some(field) => lanes::carry(field, &self.pair, &mut cells, self.options.tolerance),
             None => self.carry_alone(&mut cells[0]),
         };
-        self.steps += steps;
+        // To look for a cell among an attractor's thousand points costs about a step.
+        let crowds = self.known.iter().filter(|known| known.attractor.kind == AttractorKind::Torus).count();
+        self.steps += steps + crowds * cells.len();
         for (lane, mut cell) in cells.into_iter().enumerate() {
             cell.periods += 1;
             let verdict = match escaped[lane] {
@@ -349,24 +317,67 @@ impl BasinWork {
         self.basin.attractor[image] = other;
         self.basin.phase[image] = other_phase;
     }
+}
 
-    /// How much a state changes over one period when the tolerance is a hundredth.
-    fn check_period(&mut self) -> Result<Option<f64>, StudyError> {
-        let start = self.start(
-            0.5 * self.options.x.high + 0.5 * self.options.x.low,
-            0.25 * self.options.y.low + 0.75 * self.options.y.high,
-        );
-        if motion::check_state(&self.pair, &start).is_err() {
-            return Ok(None);
+impl BasinOptions {
+    /// The start that belongs to a place in the plane.
+    fn start(&self, x: f64, y: f64) -> [f64; 6] {
+        let (mut state, plane) = (self.state, self.plane);
+        for (coordinate, value) in plane.into_iter().zip([x, y]) {
+            state[coordinate] = value;
         }
-        let end = self.pair.parameters.mesh_period();
-        let coarse = motion::carry(&self.pair, 0.0, start, end, self.options.tolerance)?;
-        let finer = (0.01 * self.options.tolerance).max(TOLERANCE.0);
-        let fine = motion::carry(&self.pair, 0.0, start, end, finer)?;
-        self.steps += coarse.steps + fine.steps;
-        let both = coarse.escaped.is_none() && fine.escaped.is_none();
-        Ok(both.then(|| largest_difference(&coarse.state, &fine.state)))
+        for (coordinate, value) in plane.into_iter().zip([x, y]) {
+            if let Some(partner) = partner(coordinate)
+                && !plane.contains(&partner)
+            {
+                state[partner] = -value;
+            }
+        }
+        state
     }
+}
+
+/// What the search came to: the attractors, and the change of a period that [`Basin::error`] tells.
+#[derive(Debug)]
+struct Found {
+    known: Vec<Known>,
+    change: Option<f64>,
+}
+
+/// Looks for attractors from starts spread over the plane.
+async fn search(search: Box<Search>) -> Result<Found, StudyError> {
+    let Search { pair, options, .. } = &*search;
+    let change = check_period(pair, options)?;
+    let budget = Budget::of(SEARCH_STEPS);
+    let mut known = Vec::new();
+    let place = |grid: &Grid, index: usize| {
+        // Off the middle, where the unloaded state may rest unstably for ever.
+        let share = (index as f64 + 0.53) / SEARCH as f64;
+        grid.low + (grid.high - grid.low) * share
+    };
+    for index in 0..SEARCH * SEARCH {
+        let start = options.start(place(&options.x, index % SEARCH), place(&options.y, index / SEARCH));
+        attractor::explore(&search, start, &mut known, &budget).await?;
+        if budget.left() == 0 {
+            break;
+        }
+    }
+    Ok(Found { known, change })
+}
+
+/// How much a state changes over one period when the tolerance is a hundredth.
+fn check_period(pair: &GearPair, options: &BasinOptions) -> Result<Option<f64>, StudyError> {
+    let start = options
+        .start(0.5 * options.x.high + 0.5 * options.x.low, 0.25 * options.y.low + 0.75 * options.y.high);
+    if motion::check_state(pair, &start).is_err() {
+        return Ok(None);
+    }
+    let end = pair.parameters.mesh_period();
+    let coarse = motion::carry(pair, 0.0, start, end, options.tolerance)?;
+    let finer = (0.01 * options.tolerance).max(TOLERANCE.0);
+    let fine = motion::carry(pair, 0.0, start, end, finer)?;
+    let both = coarse.escaped.is_none() && fine.escaped.is_none();
+    Ok(both.then(|| largest_difference(&coarse.state, &fine.state)))
 }
 
 /// An attractor's index as it stands in a cell.

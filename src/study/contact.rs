@@ -8,8 +8,8 @@ use std::cell::RefCell;
 
 use super::ErrorEstimate;
 use super::motion::{self, ORDER_16};
-use super::multipliers::{Budget, common_period, image, is_stable, trivial_state, unloaded};
-use super::orbit::{self, OrbitOptions};
+use super::multipliers::{Budget, common_period, image, is_stable, trivial_state};
+use super::slices::whole;
 use super::time_response::largest_difference;
 use crate::error::{NumericsError, StudyError};
 use crate::model::equations::{GearPair, U};
@@ -18,10 +18,12 @@ use crate::numerics::elimination::Factors;
 use crate::numerics::floquet;
 use crate::numerics::ode::taylor::Options;
 use crate::numerics::periodic::matrix;
-use crate::numerics::roots::{self, bracketed_root};
+use crate::numerics::roots;
 
 mod curve;
+mod path;
 pub use curve::{LeastLoadCurve, LeastLoadWork, least_load_curve};
+use path::{climb, descend, least_in_contact, least_stable};
 
 /// Most integration steps of one answer: a second or two.
 const MOST_STEPS: usize = 400_000;
@@ -30,7 +32,9 @@ const GREATEST: f64 = 1e3;
 /// Shares of the load that a softening support can carry at rest, from which the response is followed.
 const SHARES: [f64; 5] = [0.5, 0.25, 0.12, 0.06, 0.03];
 /// Steps that the search for a response at one of these loads may take.
-const SHARE_STEPS: usize = 40_000;
+const SHARE_STEPS: usize = 60_000;
+/// Smallest share of the loads by which a response is carried on before its search is given up.
+const LEAST_SHARE: f64 = 1.0 / 1024.0;
 /// Ratio of a load to the last one on the way up.
 const CLIMB: f64 = 1.2;
 /// The same where the end of the response is near, at least.
@@ -137,7 +141,12 @@ impl<'a> Responses<'a> {
     /// The response near a state, by Newton's method; the derivative of the map, which costs ten times the map itself, is
     /// renewed only where the last one, perhaps that of another load, no longer serves.
     fn near(&self, load: f64, guess: [f64; 6]) -> Result<Point, NumericsError> {
-        let pair = GearPair::new(&self.under(load));
+        self.at(&self.under(load), guess)
+    }
+
+    /// The same at these parameters.
+    fn at(&self, p: &Parameters, guess: [f64; 6]) -> Result<Point, NumericsError> {
+        let pair = GearPair::new(p);
         let mut factors = self.factors.borrow_mut();
         let (mut state, mut last) = (guess, f64::INFINITY);
         let mut best = (f64::INFINITY, guess);
@@ -160,7 +169,7 @@ impl<'a> Responses<'a> {
                 if fresh && residual > last {
                     break;
                 }
-                let (_, rows) = image(&pair, &state, self.period, self.tolerance, 1.0, self.budget)?;
+                let rows = self.derivative(&pair, &state)?;
                 let matrix =
                     (0..36).map(|at| rows[at / 6][at % 6] - f64::from(u8::from(at % 7 == 0))).collect();
                 *factors = Some(Factors::new(6, matrix)?);
@@ -186,7 +195,17 @@ impl<'a> Responses<'a> {
             });
         }
         let (margin, at) = self.margin(&pair, state, 1.0)?;
-        Ok(Point { load, state, residual, margin, at })
+        Ok(Point { load: p.load, state, residual, margin, at })
+    }
+
+    /// The rows of the map's derivative.
+    fn derivative(&self, pair: &GearPair, state: &[f64; 6]) -> Result<[[f64; 6]; 6], NumericsError> {
+        // With its derivative a step costs as much as eight without.
+        let before = self.budget.left();
+        let own = Budget::of(before / 8);
+        let found = image(pair, state, self.period, self.tolerance, 1.0, &own);
+        self.budget.spend(before - 8 * own.left());
+        Ok(found?.1)
     }
 
     /// The state a period later.
@@ -226,11 +245,12 @@ impl<'a> Responses<'a> {
 
     /// From one response to that at another load, straight on from the last two, in steps that are halved where the
     /// search fails or ends up elsewhere.
-    fn walk(&self, from: Point, before: Option<Point>, load: f64) -> Result<Point, NumericsError> {
+    async fn walk(&self, from: Point, before: Option<Point>, load: f64) -> Result<Point, NumericsError> {
         let (mut at, mut before) = (from, before);
         let whole = load - from.load;
         let mut step = whole;
         while at.load != load {
+            self.budget.rest().await;
             let next =
                 if (load - at.load).abs() <= step.abs() * (1.0 + 1e-9) { load } else { at.load + step };
             let guess = straight_on(&at, before.as_ref(), next);
@@ -257,29 +277,61 @@ impl<'a> Responses<'a> {
     }
 
     /// The response grown from none at this load together with the others.
-    fn grown(&self, load: f64) -> Result<Point, StudyError> {
-        let p = self.under(load);
-        if unloaded(&p) {
-            return Ok(self.near(load, trivial_state(&p))?);
+    async fn grown(&self, load: f64) -> Result<Point, NumericsError> {
+        let whole = self.under(load);
+        let scaled = |share: f64| Parameters {
+            load: share * whole.load,
+            load_p: share * whole.load_p,
+            load_g: share * whole.load_g,
+            error: share * whole.error,
+            ..whole
+        };
+        let least_left = self.budget.left().saturating_sub(SHARE_STEPS);
+        let mut at = self.at(&scaled(0.0), trivial_state(&whole))?;
+        let mut before: Option<(f64, [f64; 6])> = None;
+        let (mut share, mut step) = (0.0, 0.5);
+        while share < 1.0 {
+            self.budget.rest().await;
+            if self.budget.left() <= least_left {
+                return Err(NumericsError::TooManySteps { time: 0.0, steps: SHARE_STEPS });
+            }
+            let next = f64::min(share + step, 1.0);
+            let guess = before.map_or(at.state, |(earlier, state)| {
+                let ratio = (next - share) / (share - earlier);
+                std::array::from_fn(|i| at.state[i] + ratio * (at.state[i] - state[i]))
+            });
+            match self.at(&scaled(next), guess) {
+                Ok(point) if continues(&point.state, &guess, &at.state) => {
+                    before = Some((share, at.state));
+                    (at, share) = (point, next);
+                    step *= 2.0;
+                }
+                Err(error @ NumericsError::TooManySteps { .. }) => return Err(error),
+                failed if step <= LEAST_SHARE => {
+                    return Err(failed.err().unwrap_or(NumericsError::NoConvergence {
+                        iterations: 0,
+                        residual: at.residual,
+                        tolerance: self.tolerance,
+                    }));
+                }
+                _ => step *= 0.5,
+            }
         }
-        let options = OrbitOptions { period: self.period, guess: None, tolerance: self.tolerance };
-        let budget = Budget::of(SHARE_STEPS.min(self.budget.left()));
-        let orbit = orbit::response(&p, self.period, &options, &budget);
-        self.budget.spend(SHARE_STEPS.saturating_sub(budget.left()).min(self.budget.left()));
-        Ok(self.near(load, orbit?.state)?)
+        Ok(at)
     }
 
     /// A response at a large load, in contact if there is such a one.
-    fn large(&self) -> Result<Point, StudyError> {
+    async fn large(&self) -> Result<Point, StudyError> {
         let mut found: Option<Point> = None;
         let mut failure = None;
         for load in self.large_loads() {
-            match self.grown(load) {
+            self.budget.rest().await;
+            match self.grown(load).await {
                 Ok(point) if point.margin >= 0.0 => return Ok(point),
                 Ok(point) => {
                     found.get_or_insert(point);
                 }
-                Err(error) => failure = Some(error),
+                Err(error) => failure = Some(error.into()),
             }
             if self.budget.left() == 0 {
                 break;
@@ -303,7 +355,7 @@ impl<'a> Responses<'a> {
 
     fn stable(&self, point: &Point) -> Result<(bool, f64), StudyError> {
         let pair = GearPair::new(&self.under(point.load));
-        let (_, derivative) = image(&pair, &point.state, self.period, self.tolerance, 1.0, self.budget)?;
+        let derivative = self.derivative(&pair, &point.state)?;
         let monodromy = matrix(&derivative);
         let spectrum = floquet::spectrum(&monodromy)?;
         let length = self.period as f64 * self.parameters.mesh_period();
@@ -358,16 +410,28 @@ pub fn contact_margin(
     tolerance: f64,
 ) -> Result<ContactMargin, StudyError> {
     motion::check_tolerance(tolerance)?;
+    whole(margin_of(p, state, tolerance))
+}
+
+async fn margin_of(
+    p: &Parameters,
+    state: Option<[f64; 6]>,
+    tolerance: f64,
+) -> Result<ContactMargin, StudyError> {
     let budget = Budget::of(MOST_STEPS);
     let responses = Responses::new(p, tolerance, &budget)?;
     let (point, way) = if let Some(guess) = state {
         motion::check_state(&GearPair::new(&responses.parameters), &guess)?;
         (responses.near(p.load, guess)?, "from the state given")
     } else {
-        let followed = responses.large().ok().filter(|large| large.load > p.load);
-        match followed.and_then(|large| responses.walk(large, None, p.load).ok()) {
+        let followed = responses.large().await.ok().filter(|large| large.load > p.load);
+        let walked = match followed {
+            Some(large) => responses.walk(large, None, p.load).await.ok(),
+            None => None,
+        };
+        match walked {
             Some(point) => (point, "followed from a large mean load"),
-            None => (responses.grown(p.load)?, "grown with the load"),
+            None => (responses.grown(p.load).await?, "grown with the load"),
         }
     };
     let (stable, liouville) = responses.stable(&point)?;
@@ -393,9 +457,13 @@ pub fn contact_margin(
 /// [`StudyError::Option`] for a tolerance out of range, [`StudyError::Model`] for an incommensurate load,
 /// [`StudyError::Numerics`] where the work allowed does not suffice.
 pub fn least_load(p: &Parameters, tolerance: f64) -> Result<LeastLoad, StudyError> {
+    whole(search(*p, tolerance))
+}
+
+async fn search(p: Parameters, tolerance: f64) -> Result<LeastLoad, StudyError> {
     motion::check_tolerance(tolerance)?;
     let budget = Budget::of(MOST_STEPS);
-    let responses = Responses::new(p, tolerance, &budget)?;
+    let responses = Responses::new(&p, tolerance, &budget)?;
     let mut answer = LeastLoad {
         load: None,
         contact_load: None,
@@ -406,7 +474,7 @@ pub fn least_load(p: &Parameters, tolerance: f64) -> Result<LeastLoad, StudyErro
             .into(),
         error: ErrorEstimate::default(),
     };
-    let large = match responses.large() {
+    let large = match responses.large().await {
         Ok(large) => large,
         Err(error @ (StudyError::Option { .. } | StudyError::Model(_))) => return Err(error),
         Err(StudyError::Numerics(error @ NumericsError::TooManySteps { .. })) => return Err(error.into()),
@@ -415,10 +483,10 @@ pub fn least_load(p: &Parameters, tolerance: f64) -> Result<LeastLoad, StudyErro
             return Ok(answer);
         }
     };
-    let mut path = descend(&responses, large)?;
+    let mut path = descend(&responses, large).await?;
     let mut whole = false;
     if path.iter().all(|point| point.margin < 0.0) {
-        path = climb(&responses, path)?;
+        path = climb(&responses, path).await?;
         whole = true;
     }
     let Some(least) = least_in_contact(&responses, &path)? else {
@@ -433,141 +501,13 @@ pub fn least_load(p: &Parameters, tolerance: f64) -> Result<LeastLoad, StudyErro
         return Ok(answer);
     }
     if !whole {
-        path = climb(&responses, path)?;
+        path = climb(&responses, path).await?;
     }
-    if let Some(point) = least_stable(&responses, &path, &least)? {
+    if let Some(point) = least_stable(&responses, &path, &least).await? {
         answer.limit = Limit::Stability;
         (answer.load, answer.state) = (Some(point.load), Some(point.state));
     } else {
         answer.reason = Some(NoLoad::Unstable);
     }
     Ok(answer)
-}
-
-/// Responses from a large load down to none, or to where the response cannot be followed any further.
-fn descend(responses: &Responses, large: Point) -> Result<Vec<Point>, StudyError> {
-    let mut path = vec![large];
-    let mut at = large;
-    while at.load > 0.0 {
-        let next = if at.load < SMALL * large.load { 0.0 } else { RATIO * at.load };
-        let before = path.len().checked_sub(2).map(|index| path[index]);
-        match responses.walk(at, before, next) {
-            Ok(point) => at = point,
-            Err(error @ NumericsError::TooManySteps { .. }) => return Err(error.into()),
-            Err(_) => break,
-        }
-        path.push(at);
-    }
-    Ok(path)
-}
-
-/// The same path, continued upwards to where the response ends.
-fn climb(responses: &Responses, path: Vec<Point>) -> Result<Vec<Point>, StudyError> {
-    let most = carried_at_rest(&responses.parameters).min(GREATEST);
-    let Some(mut at) = path.first().copied() else { return Ok(path) };
-    let mut before = path.get(1).copied();
-    let mut upwards = Vec::new();
-    let mut growth = CLIMB;
-    while at.load < most && growth > SLOWEST_CLIMB {
-        match responses.walk(at, before, (growth * at.load).min(most)) {
-            Ok(point) => {
-                before = Some(at);
-                at = point;
-                upwards.push(at);
-            }
-            Err(error @ NumericsError::TooManySteps { .. }) if upwards.is_empty() => return Err(error.into()),
-            Err(NumericsError::TooManySteps { .. }) => break,
-            // The end is near: on in smaller steps.
-            Err(_) => growth = 1.0 + 0.3 * (growth - 1.0),
-        }
-    }
-    upwards.reverse();
-    upwards.extend(path);
-    Ok(upwards)
-}
-
-/// The least load of the path at which the margin is not negative.
-fn least_in_contact(responses: &Responses, path: &[Point]) -> Result<Option<Point>, StudyError> {
-    // Without any other load all margins are 0 at rest, up to rounding.
-    let kept = |point: &Point| point.margin >= -1e-12;
-    let Some(index) = path.iter().rposition(kept) else { return Ok(None) };
-    let inside = path[index];
-    let Some(outside) = path.get(index + 1).copied() else { return Ok(Some(inside)) };
-    between(responses, inside, outside, &mut |point| Ok(point.margin))
-}
-
-/// The least load above `least` at which the response is stable.
-fn least_stable(responses: &Responses, path: &[Point], least: &Point) -> Result<Option<Point>, StudyError> {
-    let p = &responses.parameters;
-    if p.alpha_p == 0.0 && p.alpha_g == 0.0 {
-        // The multipliers of a linear response do not depend on the load.
-        return Ok(None);
-    }
-    let mut below = *least;
-    for point in path.iter().rev().filter(|point| point.load > least.load && point.margin >= 0.0) {
-        if !responses.stable(point)?.0 {
-            below = *point;
-            continue;
-        }
-        // Stability is a yes or no: halve.
-        let (mut low, mut high) = (below, *point);
-        while high.load - low.load > responses.tolerance * high.load {
-            let middle = responses.walk(high, Some(low), 0.5 * (low.load + high.load))?;
-            let done = middle.load <= low.load || middle.load >= high.load;
-            if responses.stable(&middle)?.0 && middle.margin >= 0.0 {
-                high = middle;
-            } else {
-                low = middle;
-            }
-            if done {
-                break;
-            }
-        }
-        return Ok(Some(high));
-    }
-    Ok(None)
-}
-
-/// The response between two others at which a number of it vanishes.
-fn between(
-    responses: &Responses,
-    inside: Point,
-    outside: Point,
-    number: &mut dyn FnMut(&Point) -> Result<f64, StudyError>,
-) -> Result<Option<Point>, StudyError> {
-    let mut failure = None;
-    let mut best = inside;
-    let root = bracketed_root(
-        |load| {
-            if load == inside.load {
-                return number(&inside).unwrap_or(f64::NAN).max(0.0);
-            }
-            if load == outside.load {
-                return number(&outside).unwrap_or(f64::NAN);
-            }
-            let share = (load - outside.load) / (inside.load - outside.load);
-            let guess =
-                std::array::from_fn(|i| outside.state[i] + share * (inside.state[i] - outside.state[i]));
-            match responses.near(load, guess).map_err(StudyError::from).and_then(|point| {
-                let value = number(&point)?;
-                best = point;
-                Ok(value)
-            }) {
-                Ok(value) => value,
-                Err(error) => {
-                    failure = Some(error);
-                    f64::NAN
-                }
-            }
-        },
-        inside.load,
-        outside.load,
-        0.01 * responses.tolerance * inside.load,
-    );
-    match (root, failure) {
-        (_, Some(error)) => Err(error),
-        (Err(error), None) => Err(error.into()),
-        (Ok(load), None) if load == best.load => Ok(Some(best)),
-        (Ok(load), None) => Ok(Some(responses.near(load, best.state)?)),
-    }
 }

@@ -14,10 +14,10 @@ use crate::numerics::ode::taylor::Options;
 
 /// Most periods over which exponents are taken.
 pub const MOST_PERIODS: usize = 100_000;
-/// Most steps of the integration: some seconds.
-const MOST_STEPS: usize = 2_000_000;
+/// Most steps in which a motion may settle: a second or so.
+const MOST_STEPS: usize = 600_000;
 /// The same of the variational equations, which cost ten times as much.
-const MOST_FRAMED_STEPS: usize = 250_000;
+const MOST_FRAMED_STEPS: usize = 60_000;
 /// Such steps that every period may take on average, however many are asked for.
 const STEPS_A_PERIOD: usize = 40;
 /// Periods, besides half of those asked for, in which a motion may settle.

@@ -16,6 +16,7 @@ pub mod multipliers;
 pub mod orbit;
 pub mod poincare;
 pub mod settling;
+mod slices;
 pub mod spectrum;
 pub mod stability_chart;
 pub mod sweep;

@@ -5,6 +5,7 @@ use std::cell::Cell;
 use super::ErrorEstimate;
 use super::motion::{self, ORDER_16, ORDER_20, ORDER_24};
 use super::orbit::{self, OrbitOptions};
+use super::slices;
 use crate::error::{ModelError, NumericsError, StudyError};
 use crate::model::equations::GearPair;
 use crate::model::linear::{self, LinearPair, Rows};
@@ -114,18 +115,23 @@ pub fn linear_monodromy(p: &Parameters, tolerance: f64, step_factor: f64) -> Res
 #[derive(Clone, Debug)]
 pub struct Budget {
     left: Cell<usize>,
+    /// What was left at the last pause.
+    at_pause: Cell<usize>,
 }
+
+/// Steps between two pauses: some milliseconds.
+pub(crate) const SLICE: usize = 4000;
 
 impl Default for Budget {
     fn default() -> Self {
-        Self { left: Cell::new(200_000) }
+        Self::of(200_000)
     }
 }
 
 impl Budget {
     /// A budget of this many steps.
     pub fn of(steps: usize) -> Self {
-        Self { left: Cell::new(steps) }
+        Self { left: Cell::new(steps), at_pause: Cell::new(steps) }
     }
 
     /// Steps that are left.
@@ -136,6 +142,14 @@ impl Budget {
     /// Takes off steps that were taken.
     pub fn spend(&self, steps: usize) {
         self.left.set(self.left.get().saturating_sub(steps));
+    }
+
+    /// Ends the slice where enough has been spent since the last one ended.
+    pub(crate) async fn rest(&self) {
+        if self.at_pause.get() - self.left.get() >= SLICE {
+            self.at_pause.set(self.left.get());
+            slices::pause().await;
+        }
     }
 }
 

@@ -1,9 +1,12 @@
 //! Where a motion settles: on a periodic orbit, which is then found exactly, or on something that never repeats.
 
+use super::motion;
+use super::multipliers::Budget;
 use super::orbit::{OrbitOptions, PeriodicOrbit, periodic_orbit};
 use super::poincare::Strobe;
 use super::time_response::largest_difference;
 use crate::error::{NumericsError, StudyError};
+use crate::model::equations::GearPair;
 use crate::model::parameters::Parameters;
 
 /// Longest period, in mesh periods, that is looked for.
@@ -26,15 +29,26 @@ pub(crate) fn returning(states: &[[f64; 6]]) -> Option<usize> {
         .find(|&period| largest_difference(last, &earlier[earlier.len() - period]) < near)
 }
 
+/// Times that an orbit's search goes along it, each step with its derivative counted as several: as a rule.
+const PASSAGES: usize = 400;
+
 /// The stable orbit of this period that passes a state within `reach`, relative to 1 + its largest coordinate, if there
-/// is one.
+/// is one; the budget pays, and where it does not suffice for a search, is spent.
 pub(crate) fn stable_orbit(
     p: &Parameters,
     state: [f64; 6],
     period: usize,
     reach: f64,
     tolerance: f64,
+    budget: &Budget,
 ) -> Option<PeriodicOrbit> {
+    let one = motion::carry(&GearPair::new(p), 0.0, state, p.mesh_period(), tolerance);
+    let price = one.map_or(usize::MAX, |reached| PASSAGES.saturating_mul(period * reached.steps));
+    if price > budget.left() / 2 {
+        budget.spend(price);
+        return None;
+    }
+    budget.spend(price);
     let options = OrbitOptions { period, guess: Some(state), tolerance };
     let orbit = periodic_orbit(p, &options).ok()?;
     let near = reach * size(&state);
@@ -71,14 +85,17 @@ pub(crate) fn settle(
     steps: usize,
     tolerance: f64,
 ) -> Result<End, StudyError> {
+    let budget = Budget::of(steps);
     let mut strobe = Strobe::new(p, state, tolerance)?;
     let mut recent = vec![state];
     let mut next_search = 2 * LONGEST;
     for count in 1..=periods {
+        let before = strobe.steps();
         let Some(state) = strobe.next()? else {
             return Ok(End::Escaped(strobe.escaped().unwrap_or(strobe.time())));
         };
-        if strobe.steps() > steps {
+        budget.spend(strobe.steps() - before);
+        if budget.left() == 0 {
             return Err(NumericsError::TooManySteps { time: strobe.time(), steps }.into());
         }
         recent.push(state);
@@ -89,7 +106,7 @@ pub(crate) fn settle(
             continue;
         }
         let Some(period) = returning(&recent) else { continue };
-        if let Some(orbit) = stable_orbit(p, state, period, ELSEWHERE, tolerance) {
+        if let Some(orbit) = stable_orbit(p, state, period, ELSEWHERE, tolerance, &budget) {
             return Ok(End::Orbit(Box::new(orbit)));
         }
         // A slow passage by something unstable looks like a return: wait longer before the next search.
@@ -98,6 +115,8 @@ pub(crate) fn settle(
     Ok(End::Wandering(strobe.state()))
 }
 
+/// Steps that may be taken to see whether a motion comes back.
+const MOST_STEPS: usize = 300_000;
 /// Two states this near, relative to 1 + the largest coordinate, are one orbit's.
 const CLOSED: f64 = 1e-7;
 
@@ -111,6 +130,9 @@ pub(crate) fn closed(p: &Parameters, state: &[f64; 6], tolerance: f64) -> Result
     let mut strobe = Strobe::new(p, *state, tolerance)?;
     for count in 1..=LONGEST.max(common) {
         let Some(now) = strobe.next()? else { return Ok(None) };
+        if strobe.steps() > MOST_STEPS {
+            return Err(NumericsError::TooManySteps { time: strobe.time(), steps: strobe.steps() }.into());
+        }
         if count.is_multiple_of(common) && largest_difference(&now, state) < CLOSED * size(state) {
             return Ok(Some(count));
         }

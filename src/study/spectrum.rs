@@ -16,8 +16,10 @@ use crate::numerics::spectrum::{Window, amplitudes};
 pub const SAMPLES: usize = 64;
 /// Most periods of transient and series together.
 pub const MOST_PERIODS: usize = 16_384;
-/// Most steps of the integration: some seconds.
-const MOST_STEPS: usize = 2_000_000;
+/// Most steps of the integration, besides those that every period may take: a second or so.
+const MOST_STEPS: usize = 150_000;
+/// Steps that every period may take on average, however many are asked for.
+const STEPS_A_PERIOD: usize = 40;
 /// A series that ends this near where it began, relative to 1 + the largest coordinate, holds whole periods.
 const CLOSED: f64 = 1e-6;
 
@@ -59,13 +61,14 @@ pub fn spectrum(
             ),
         });
     }
+    let most_steps = MOST_STEPS + STEPS_A_PERIOD * (transient + periods);
     let mut strobe = Strobe::new(p, state.unwrap_or_else(|| motion::default_state(p)), tolerance)?;
     let escaped = |time: f64| StudyError::Numerics(NumericsError::Escaped { time });
     for _ in 0..transient {
         if strobe.next()?.is_none() {
             return Err(escaped(strobe.escaped().unwrap_or_else(|| strobe.time())));
         }
-        if strobe.steps() > MOST_STEPS {
+        if strobe.steps() > most_steps {
             return Err(NumericsError::TooManySteps { time: strobe.time(), steps: strobe.steps() }.into());
         }
     }
@@ -76,7 +79,7 @@ pub fn spectrum(
     let spacing = period / SAMPLES as f64;
     let count = periods * SAMPLES;
     let options =
-        Options { tolerance: motion::step_tolerance(tolerance), step_factor: 1.0, steps: MOST_STEPS };
+        Options { tolerance: motion::step_tolerance(tolerance), step_factor: 1.0, steps: most_steps };
     let mut series = Vec::with_capacity(count);
     let reached = motion::follow::<ORDER_16>(&pair, from, start, end, options, |step, _| {
         while series.len() < count {
@@ -91,7 +94,7 @@ pub fn spectrum(
     if let Some(time) = reached.escaped {
         return Err(escaped(time));
     }
-    let halved = Options { step_factor: 0.5, steps: 3 * MOST_STEPS, ..options };
+    let halved = Options { step_factor: 0.5, steps: 3 * most_steps, ..options };
     let check = motion::follow::<ORDER_16>(&pair, from, start, end, halved, |_, _| ())?;
     let closed = largest_difference(&reached.state, &start) < CLOSED * settling::size(&start);
     let window = if closed { Window::Rectangular } else { Window::BlackmanHarris };

@@ -4,16 +4,17 @@
 use super::ErrorEstimate;
 use super::grid::Grid;
 use super::motion;
+use super::multipliers::SLICE;
 use super::poincare::Strobe;
 use super::time_response::{MOST_ROWS, largest_difference};
 use crate::error::{NumericsError, StudyError};
 use crate::model::equations::U;
 use crate::model::parameters::Parameters;
 
-/// Most integration steps of a sweep: some ten seconds.
-const MOST_STEPS: usize = 20_000_000;
-/// Integration steps of one slice of work: some milliseconds.
-const SLICE: usize = 30_000;
+/// Most integration steps of a sweep, besides those that every period may take: a second or so.
+const MOST_STEPS: usize = 500_000;
+/// Steps that every period may take on average, however many are asked for.
+const STEPS_A_PERIOD: usize = 40;
 
 /// Which way the frequency goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,6 +116,7 @@ pub struct SweepWork {
     strobe: Option<Strobe>,
     state: [f64; 6],
     steps: usize,
+    most_steps: usize,
     sweep: Sweep,
 }
 
@@ -149,6 +151,7 @@ impl SweepWork {
             strobe: None,
             state,
             steps: 0,
+            most_steps: MOST_STEPS + STEPS_A_PERIOD * periods as usize,
             sweep: Sweep { method, ..Sweep::default() },
         })
     }
@@ -170,7 +173,7 @@ impl SweepWork {
             let before = strobe.steps();
             let next = strobe.next()?;
             self.steps += strobe.steps() - before;
-            if self.steps > MOST_STEPS {
+            if self.steps > self.most_steps {
                 return Err(NumericsError::TooManySteps { time: strobe.time(), steps: self.steps }.into());
             }
             let Some(state) = next else {

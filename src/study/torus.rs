@@ -10,13 +10,19 @@ use super::motion;
 use super::multipliers::{Budget, common_period, image, multipliers, unloaded};
 use super::poincare::Strobe;
 use super::settling::{self, returning, stable_orbit};
+use super::slices::whole;
 use super::sweep::at_frequency;
 use crate::error::{NumericsError, StudyError};
 use crate::model::equations::{GearPair, U};
+use crate::model::lanes::{LANES, OnManifold, SIZE, lane, set_lane};
+use crate::model::manifold::{self, Manifold};
 use crate::model::parameters::{Parameters, Regime};
 use crate::numerics::birkhoff;
 use crate::numerics::lyapunov::orthonormalise;
-use crate::numerics::torus::{Circle, Map, Options, Weights};
+use crate::numerics::ode::event;
+use crate::numerics::ode::taylor::{Options, Propagation};
+use crate::numerics::periodic::Image;
+use crate::numerics::torus::{self, Circle, Map, Weights};
 use crate::theory::{Modes, branches};
 
 mod branch;
@@ -34,6 +40,8 @@ const WORST_DEFECT: f64 = 1e-4;
 const SAMPLES: usize = 4096;
 /// Points given as the curve.
 const CURVE: usize = 256;
+/// Steps that one search may take: a second or two.
+const MOST_STEPS: usize = 1_200_000;
 /// Steps of the map over which the growth across the circle is averaged.
 const GROWTH_STEPS: usize = 2000;
 
@@ -54,9 +62,9 @@ pub struct Torus {
     pub r_min: f64,
     /// Greatest of it.
     pub r_max: f64,
-    /// Greatest `|u_p|` along the motion, between the points of the map as well.
+    /// Greatest `|u_p|` along the motion, between the points of the map as well: from samples, to about 1e-4 of its size.
     pub max_u_p: f64,
-    /// Greatest `|u|` along the motion.
+    /// Greatest `|u|` along the motion, likewise.
     pub max_u: f64,
     /// Number of circles, that is mesh periods after which the map returns to the same one.
     pub circles: usize,
@@ -69,6 +77,7 @@ pub struct Torus {
 }
 
 /// The stroboscopic map, on the manifold `u_g = -u_p` where the circle is in it.
+#[derive(Clone, Copy)]
 struct Section<'a> {
     pair: GearPair,
     /// Mesh periods of one application.
@@ -80,7 +89,11 @@ struct Section<'a> {
 
 impl Section<'_> {
     fn dimension(&self) -> usize {
-        if self.on_manifold { ON_MANIFOLD.len() } else { 6 }
+        self.coordinates().len()
+    }
+
+    fn coordinates(&self) -> &'static [usize] {
+        if self.on_manifold { &ON_MANIFOLD } else { &[0, 1, 2, 3, 4, 5] }
     }
 
     fn expand(&self, point: &[f64]) -> [f64; 6] {
@@ -92,68 +105,149 @@ impl Section<'_> {
     }
 
     fn reduce(&self, state: &[f64; 6], point: &mut [f64]) {
-        if self.on_manifold {
-            for (place, coordinate) in point.iter_mut().zip(ON_MANIFOLD) {
-                *place = state[coordinate];
-            }
-        } else {
-            point.copy_from_slice(state);
+        for (place, &coordinate) in point.iter_mut().zip(self.coordinates()) {
+            *place = state[coordinate];
         }
     }
 
-    fn apply(&self, state: &[f64; 6]) -> Result<[f64; 6], NumericsError> {
-        if self.budget.left() == 0 {
-            return Err(NumericsError::TooManySteps { time: 0.0, steps: 0 });
-        }
-        let end = self.periods as f64 * self.pair.parameters.mesh_period();
-        let reached = motion::carry(&self.pair, 0.0, *state, end, self.tolerance)?;
-        self.budget.spend(reached.steps);
-        reached.escaped.map_or(Ok(reached.state), |time| Err(NumericsError::Escaped { time }))
+    /// The end of one application of the map.
+    fn end(&self) -> f64 {
+        self.periods as f64 * self.pair.parameters.mesh_period()
     }
 
-    /// The map and, where asked for, its derivative, in the coordinates that are left.
+    /// The map and, where asked for, its derivative at several points, in the coordinates that are left.
     fn map(
         &self,
-        point: &[f64],
-        to: &mut [f64],
-        derivative: Option<&mut [f64]>,
+        points: &[f64],
+        images: &mut [f64],
+        derivatives: Option<&mut [f64]>,
     ) -> Result<(), NumericsError> {
-        let state = self.expand(point);
-        let Some(rows) = derivative else {
-            self.reduce(&self.apply(&state)?, to);
-            return Ok(());
-        };
-        let before = self.budget.left();
-        let (reached, matrix) = image(&self.pair, &state, self.periods, self.tolerance, 1.0, self.budget)?;
-        // With its derivative a step costs as much as eight without.
-        self.budget.spend(7 * (before - self.budget.left()));
-        self.reduce(&reached, to);
         let dimension = self.dimension();
-        for row in 0..dimension {
-            for column in 0..dimension {
-                rows[row * dimension + column] = if self.on_manifold {
-                    let (row, column) = (ON_MANIFOLD[row], ON_MANIFOLD[column]);
-                    // A change of the pinion's coordinate changes the gear's the other way.
-                    let opposite = if column == U || column == 5 { 0.0 } else { matrix[row][column + 1] };
-                    matrix[row][column] - opposite
-                } else {
-                    matrix[row][column]
-                };
+        let block = dimension * dimension;
+        if let Some(rows) = derivatives {
+            for (index, (point, image)) in
+                points.chunks_exact(dimension).zip(images.chunks_exact_mut(dimension)).enumerate()
+            {
+                let (reached, matrix) = self.image(&self.expand(point))?;
+                self.reduce(&reached, image);
+                for (place, entry) in rows[index * block..(index + 1) * block].iter_mut().enumerate() {
+                    let (row, column) = (place / dimension, place % dimension);
+                    *entry = if self.on_manifold {
+                        let (row, column) = (ON_MANIFOLD[row], ON_MANIFOLD[column]);
+                        // A change of the pinion's coordinate changes the gear's the other way.
+                        let opposite = if column == U || column == 5 { 0.0 } else { matrix[row][column + 1] };
+                        matrix[row][column] - opposite
+                    } else {
+                        matrix[row][column]
+                    };
+                }
             }
+            return Ok(());
+        }
+        let side_by_side = if self.on_manifold { OnManifold::new(&self.pair.parameters) } else { None };
+        if let Some(field) = side_by_side {
+            for (points, images) in points.chunks(LANES * dimension).zip(images.chunks_mut(LANES * dimension))
+            {
+                self.lanes(&field, points, images)?;
+            }
+            return Ok(());
+        }
+        for (point, image) in points.chunks_exact(dimension).zip(images.chunks_exact_mut(dimension)) {
+            let state = self.expand(point);
+            let reached = motion::carry(&self.pair, 0.0, state, self.end(), self.tolerance)?;
+            self.spend(reached.steps)?;
+            if let Some(time) = reached.escaped {
+                return Err(NumericsError::Escaped { time });
+            }
+            self.reduce(&reached.state, image);
         }
         Ok(())
     }
 
+    /// Takes off steps that were taken.
+    fn spend(&self, steps: usize) -> Result<(), NumericsError> {
+        self.budget.spend(steps);
+        if self.budget.left() == 0 {
+            return Err(NumericsError::TooManySteps { time: 0.0, steps });
+        }
+        Ok(())
+    }
+
+    /// The images of at most [`LANES`] points side by side.
+    fn lanes(&self, field: &OnManifold, points: &[f64], images: &mut [f64]) -> Result<(), NumericsError> {
+        let dimension = self.dimension();
+        let mut all = [0.0; SIZE];
+        for index in 0..LANES {
+            // Lanes without a point repeat the first.
+            let point = points.chunks_exact(dimension).nth(index).unwrap_or(&points[..dimension]);
+            set_lane(&mut all, index, &self.expand(point));
+        }
+        let options = self.options();
+        let mut propagation = Propagation::<_, SIZE, { motion::ORDER_16 }>::new(field, 0.0, all, options);
+        let [bound, _] = self.pair.escape_bounds();
+        while propagation.time() < self.end() {
+            propagation.advance(self.end())?;
+            self.spend(2)?;
+            if propagation.state()[..LANES].iter().any(|u_p| u_p.abs() > bound) {
+                return Err(NumericsError::Escaped { time: propagation.time() });
+            }
+        }
+        for (index, image) in images.chunks_exact_mut(dimension).enumerate() {
+            self.reduce(&lane(propagation.state(), index), image);
+        }
+        Ok(())
+    }
+
+    fn options(&self) -> Options {
+        Options {
+            tolerance: motion::step_tolerance(self.tolerance),
+            step_factor: 1.0,
+            steps: self.budget.left(),
+        }
+    }
+
+    /// The image of a state and its derivative in all six dimensions.
+    fn image(&self, state: &[f64; 6]) -> Result<Image, NumericsError> {
+        let end = self.end();
+        let narrow = if self.on_manifold { Manifold::of(&self.pair.parameters) } else { None };
+        let Some(field) = narrow else {
+            let before = self.budget.left();
+            let image = image(&self.pair, state, self.periods, self.tolerance, 1.0, self.budget)?;
+            // With its derivative a step costs as much as eight without.
+            self.spend(7 * (before - self.budget.left()))?;
+            return Ok(image);
+        };
+        let [bound, _] = self.pair.escape_bounds();
+        let mut propagation = Propagation::<_, { manifold::SIZE }, { motion::ORDER_16 }>::new(
+            &field,
+            0.0,
+            manifold::start(state),
+            self.options(),
+        );
+        while propagation.time() < end {
+            propagation.advance(end)?;
+            self.spend(4)?;
+            if propagation.state()[0].abs() > bound {
+                return Err(NumericsError::Escaped { time: propagation.time() });
+            }
+        }
+        Ok(manifold::split(propagation.state()))
+    }
+
     /// Makes a circle invariant, with as many nodes as it takes.
-    fn converge(&self, mut circle: Circle) -> Result<(Circle, f64), NumericsError> {
+    async fn converge(&self, mut circle: Circle) -> Result<(Circle, f64), NumericsError> {
         let map: &mut Map = &mut |point, to, derivative| self.map(point, to, derivative);
         let mut best: Option<(Circle, f64)> = None;
         loop {
+            self.budget.rest().await;
             let size = circle.size();
-            let options =
-                Options { tolerance: (10.0 * self.tolerance).max(1e-11) * (1.0 + size), iterations: 40 };
+            let options = torus::Options {
+                tolerance: (10.0 * self.tolerance).max(1e-11) * (1.0 + size),
+                iterations: 40,
+            };
             let found = match circle.solve(options, map) {
                 Ok(found) => found.circle,
+                Err(error @ NumericsError::TooManySteps { .. }) => return Err(error),
                 Err(error) => return best.ok_or(error),
             };
             if found.size() < 1e-3 * size {
@@ -190,14 +284,13 @@ impl Section<'_> {
     }
 
     /// The fastest growth across the circle per unit of t, in all six dimensions.
-    fn growth(&self, circle: &Circle) -> Result<f64, NumericsError> {
-        let full = Section { on_manifold: false, pair: self.pair, ..*self };
+    async fn growth(&self, circle: &Circle) -> Result<f64, NumericsError> {
         let count = circle.count();
         let mut derivatives = Vec::with_capacity(36 * count);
         for node in circle.nodes.chunks_exact(circle.dimension) {
-            let (_, matrix) =
-                image(&self.pair, &self.expand(node), self.periods, self.tolerance, 1.0, full.budget)?;
+            let (_, matrix) = self.image(&self.expand(node))?;
             derivatives.extend(matrix.into_iter().flatten());
+            self.budget.rest().await;
         }
         // Of a mirrored circle both halves have the same derivatives.
         let turns = if circle.mirrored { 2.0 } else { 1.0 };
@@ -239,16 +332,12 @@ impl Section<'_> {
 }
 
 /// A circle with the map that it belongs to.
+#[derive(Clone)]
 struct Known<'a> {
     section: Section<'a>,
     circle: Circle,
     defect: f64,
     averages: Option<Averages>,
-}
-
-/// Steps that one search may take: some seconds' work.
-fn budget() -> Budget {
-    Budget::of(4_000_000)
 }
 
 /// The invariant circle at these parameters: the one that a motion from near rest or from the cycle of \[T8\] comes to,
@@ -259,20 +348,20 @@ fn budget() -> Budget {
 /// [`StudyError::NotFound`] where there is no such motion, [`StudyError::Numerics`] where the integration fails.
 pub fn torus(p: &Parameters, tolerance: f64) -> Result<Torus, StudyError> {
     motion::check_tolerance(tolerance)?;
-    let budget = budget();
-    describe(&find(p, tolerance, &budget)?)
+    let budget = Budget::of(MOST_STEPS);
+    whole(async { describe(&find(p, tolerance, &budget).await?).await })
 }
 
-fn find<'a>(p: &Parameters, tolerance: f64, budget: &'a Budget) -> Result<Known<'a>, StudyError> {
+async fn find<'a>(p: &Parameters, tolerance: f64, budget: &'a Budget) -> Result<Known<'a>, StudyError> {
     if GearPair::new(p).trace() == 0.0 {
         return Err(StudyError::NotFound {
             sought: "isolated torus",
             found: "without damping quasi-periodic motions come in families".into(),
         });
     }
-    match seed::by_motion(p, tolerance, budget) {
+    match seed::by_motion(p, tolerance, budget).await {
         Err(StudyError::NotFound { sought, found }) => {
-            from_neighbours(p, tolerance, budget)?.ok_or(StudyError::NotFound { sought, found })
+            from_neighbours(p, tolerance, budget).await?.ok_or(StudyError::NotFound { sought, found })
         }
         known => known,
     }
@@ -283,8 +372,11 @@ const NEIGHBOURS: usize = 12;
 /// Distance of these, relative.
 const NEIGHBOUR_SPACING: f64 = 0.01;
 
+/// Steps of a period above which no neighbours are asked.
+const MOST_LINEAR_STEPS: usize = 1000;
+
 /// The circle followed in Omega from a neighbouring frequency at which the trivial state is an unstable spiral.
-fn from_neighbours<'a>(
+async fn from_neighbours<'a>(
     p: &Parameters,
     tolerance: f64,
     budget: &'a Budget,
@@ -292,16 +384,22 @@ fn from_neighbours<'a>(
     if !unloaded(p) {
         return Ok(None);
     }
+    // Where a period takes so many steps, the linear problem does as well, at each of these frequencies.
+    let one = motion::carry(&GearPair::new(p), 0.0, motion::default_state(p), p.mesh_period(), tolerance)?;
+    if one.steps > MOST_LINEAR_STEPS {
+        return Ok(None);
+    }
     for index in 2..=2 * NEIGHBOURS + 1 {
         let distance = (index / 2) as f64 * NEIGHBOUR_SPACING * if index % 2 == 0 { 1.0 } else { -1.0 };
         let neighbour = at_frequency(p, p.omega * (1.0 + distance));
+        budget.rest().await;
         let linear = multipliers(&neighbour, tolerance)?;
         if linear.spectral_radius < 1.0 || linear.im[0].abs() < 1e-3 {
             continue;
         }
-        return match seed::by_motion(&neighbour, tolerance, budget) {
+        return match seed::by_motion(&neighbour, tolerance, budget).await {
             Ok(known) => {
-                let (at, _) = branch::follow(p, known, None, p.omega);
+                let (at, _) = branch::follow(p, known, None, p.omega).await;
                 Ok((at.omega() == p.omega).then_some(at))
             }
             Err(StudyError::NotFound { .. }) => Ok(None),
@@ -312,9 +410,9 @@ fn from_neighbours<'a>(
 }
 
 /// Everything that is asked of a circle.
-fn describe(known: &Known) -> Result<Torus, StudyError> {
+async fn describe(known: &Known<'_>) -> Result<Torus, StudyError> {
     let Known { section, circle, defect, averages } = known;
-    let growth = section.growth(circle)?;
+    let growth = section.growth(circle).await?;
     let (mut curve, mut radii) = (Vec::new(), Vec::with_capacity(SAMPLES * section.periods));
     let mut nodes = Vec::new();
     let interpolation = Weights::new(circle.count(), circle.mirrored);
@@ -338,7 +436,12 @@ fn describe(known: &Known) -> Result<Torus, StudyError> {
             radii.extend(nodes.iter().map(|state| state[0].hypot(state[3])));
         }
         curve.extend_from_slice(&nodes);
-        for state in &mut nodes {
+        for (index, state) in nodes.iter_mut().enumerate() {
+            if circle.mirrored && index >= CURVE / 2 {
+                // The mirror image of the first half reaches as far.
+                break;
+            }
+            section.budget.rest().await;
             let (reached, peaks) = one.extremes(state, (period % common) as f64 * p.mesh_period())?;
             max_u_p.push(period, peaks[0]);
             max_u.push(period, peaks[1]);
@@ -399,6 +502,22 @@ fn peak(values: &[f64]) -> f64 {
     if curvature >= 0.0 { here } else { here - (after - before).powi(2) / (8.0 * curvature) }
 }
 
+/// The same from fewer samples, by the trigonometric interpolation near the greatest.
+fn finer_peak(values: &[f64]) -> f64 {
+    let count = values.len();
+    let at = (0..count).max_by(|&i, &j| values[i].total_cmp(&values[j])).unwrap_or(0);
+    let interpolation = Weights::new(count, false);
+    let near: Vec<f64> = (-16..=16)
+        .map(|offset| {
+            let mut sum = [0.0];
+            let theta = (at as f64 + f64::from(offset) / 16.0) / count as f64;
+            interpolation.combine(theta, values, &mut sum);
+            sum[0]
+        })
+        .collect();
+    peak(&near)
+}
+
 /// Greatest values along the motion, circle by circle.
 #[derive(Default)]
 struct Peaks {
@@ -414,7 +533,7 @@ impl Peaks {
     }
 
     fn greatest(&self) -> f64 {
-        self.circles.iter().map(|values| peak(values)).fold(0.0, f64::max)
+        self.circles.iter().map(|values| finer_peak(values)).fold(0.0, f64::max)
     }
 }
 
@@ -422,17 +541,12 @@ impl Section<'_> {
     /// The state a mesh period later, and the greatest `|u_p|` and `|u|` in between.
     fn extremes(&self, state: &[f64; 6], start: f64) -> Result<([f64; 6], [f64; 2]), NumericsError> {
         let mut peaks = [0.0_f64; 2];
-        let options = crate::numerics::ode::taylor::Options {
-            tolerance: motion::step_tolerance(self.tolerance),
-            step_factor: 1.0,
-            steps: self.budget.left(),
-        };
+        let options = self.options();
         let end = start + self.pair.parameters.mesh_period();
         let reached =
             motion::follow::<{ motion::ORDER_16 }>(&self.pair, start, *state, end, options, |step, _| {
                 for (peak, coordinate) in peaks.iter_mut().zip([0, U]) {
-                    let (low, high) =
-                        crate::numerics::ode::event::range(&step.coordinate(coordinate), step.length);
+                    let (low, high) = event::range(&step.coordinate(coordinate), step.length);
                     *peak = peak.max(high).max(-low);
                 }
             })?;

@@ -125,21 +125,29 @@ impl Known {
     }
 }
 
-/// Follows a start in search of an attractor that is not known yet; gives the steps taken.
-pub(super) fn explore(
-    pair: &GearPair,
+/// What a search for attractors needs to know.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Search {
+    pub pair: GearPair,
+    pub options: BasinOptions,
+    pub common: usize,
+    pub mirrored: bool,
+}
+
+/// Follows a start in search of an attractor that is not known yet.
+pub(super) async fn explore(
+    search: &Search,
     start: [f64; 6],
-    options: &BasinOptions,
-    common: usize,
-    mirrored: bool,
     known: &mut Vec<Known>,
-) -> Result<usize, StudyError> {
+    budget: &Budget,
+) -> Result<(), StudyError> {
+    let Search { pair, options, common, mirrored } = search;
+    let common = *common;
     let p = &pair.parameters;
     let period = p.mesh_period();
     let tolerance = options.tolerance.min(1e-8);
-    let mut steps = 0;
     if motion::check_state(pair, &start).is_err() {
-        return Ok(1);
+        return Ok(());
     }
     let mut states = vec![start];
     let mut arrival = Arrival::default();
@@ -148,15 +156,17 @@ pub(super) fn explore(
     for count in 1..=most + POINTS {
         let phase = ((count - 1) % common) as f64 * period;
         let Ok(reached) = motion::carry(pair, phase, states[count - 1], phase + period, tolerance) else {
-            return Ok(steps + super::FAILED);
+            budget.spend(super::FAILED);
+            return Ok(());
         };
-        steps += reached.steps;
-        if reached.escaped.is_some() || steps > super::SEARCH_STEPS / 4 {
-            return Ok(steps);
+        budget.spend(reached.steps);
+        if reached.escaped.is_some() || budget.left() == 0 {
+            return Ok(());
         }
+        budget.rest().await;
         states.push(reached.state);
         if arrived(known, &reached.state, count, common, &mut arrival).is_some() {
-            return Ok(steps);
+            return Ok(());
         }
         if count != next_try || count > most || !count.is_multiple_of(common) {
             next_try += usize::from(count == next_try);
@@ -164,7 +174,7 @@ pub(super) fn explore(
         }
         next_try = next_try * 3 / 2 + 7;
         let Some(lag) = best_return(&states, common) else { continue };
-        if let Some(orbit) = stable_orbit(p, reached.state, lag, RETURNING, TOLERANCE) {
+        if let Some(orbit) = stable_orbit(p, reached.state, lag, RETURNING, TOLERANCE, budget) {
             let spectrum = Spectrum { re: orbit.re, im: orbit.im };
             let mut points = vec![orbit.state];
             for index in 1..orbit.period {
@@ -178,7 +188,7 @@ pub(super) fn explore(
                 re: orbit.re,
                 im: orbit.im,
             };
-            add_orbit(pair, attractor, &spectrum, options, common, mirrored, known)?;
+            add_orbit(search, attractor, &spectrum, known, budget).await?;
         }
     }
     let last = states[states.len() - 1];
@@ -200,7 +210,7 @@ pub(super) fn explore(
     if let Some(image) = image {
         add(image, known);
     }
-    Ok(steps)
+    Ok(())
 }
 
 /// The number of periods, at most [`LONGEST`] or the common period, after which the last point came back best, if near.
@@ -228,32 +238,30 @@ fn is_same_orbit(left: &Attractor, right: &Attractor) -> bool {
     left.kind == right.kind && right.points.iter().any(|point| largest_difference(point, &left.state) < near)
 }
 
-fn add_orbit(
-    pair: &GearPair,
+async fn add_orbit(
+    search: &Search,
     attractor: Attractor,
     spectrum: &Spectrum,
-    options: &BasinOptions,
-    common: usize,
-    mirrored: bool,
     known: &mut Vec<Known>,
+    budget: &Budget,
 ) -> Result<(), StudyError> {
-    let images = if mirrored { vec![mirror(&attractor)] } else { Vec::new() };
+    let images = if search.mirrored { vec![mirror(&attractor)] } else { Vec::new() };
     for attractor in std::iter::once(attractor).chain(images) {
         if !known.iter().any(|other| is_same_orbit(&attractor, &other.attractor)) {
-            known.push(recognised(pair, attractor, spectrum, options, common)?);
+            known.push(recognised(search, attractor, spectrum, budget).await?);
         }
     }
     Ok(())
 }
 
 /// An orbit with neighbourhoods of its points that the map of its period contracts.
-fn recognised(
-    pair: &GearPair,
+async fn recognised(
+    search: &Search,
     attractor: Attractor,
     spectrum: &Spectrum,
-    options: &BasinOptions,
-    common: usize,
+    budget: &Budget,
 ) -> Result<Known, StudyError> {
+    let Search { pair, options, common, .. } = search;
     let p = &pair.parameters;
     let AttractorKind::Orbit { period } = attractor.kind else {
         return Ok(Known { attractor, balls: Vec::new(), coordinates: Vec::new(), spacing: 0.0 });
@@ -281,14 +289,22 @@ fn recognised(
         let expand = |x: &[f64]| -> [f64; 6] {
             if on_manifold { [x[0], -x[0], x[1], x[2], -x[2], x[3]] } else { std::array::from_fn(|i| x[i]) }
         };
-        let ball = Ellipsoid::new(&reduce(point), &linear, spectrum.radius()).map(|mut ball| {
+        let mut ball = Ellipsoid::new(&reduce(point), &linear, spectrum.radius());
+        if let Some(ball) = &mut ball {
             let scale = size(point);
-            ball.grow(NEIGHBOURHOOD.0 * scale, NEIGHBOURHOOD.1 * scale, &mut |x| {
-                let reached = motion::carry(pair, 0.0, expand(x), length, tolerance).ok()?;
-                reached.escaped.is_none().then(|| reduce(&reached.state))
-            });
-            ball
-        });
+            let mut growth = ball.growth(NEIGHBOURHOOD.0 * scale, NEIGHBOURHOOD.1 * scale);
+            let map = &mut |x: &[f64]| {
+                if budget.left() == 0 {
+                    return None;
+                }
+                let reached = motion::carry(pair, 0.0, expand(x), length, tolerance);
+                budget.spend(reached.as_ref().map_or(super::FAILED, |reached| reached.steps));
+                reached.ok().filter(|reached| reached.escaped.is_none()).map(|reached| reduce(&reached.state))
+            };
+            while ball.grow(&mut growth, map) {
+                budget.rest().await;
+            }
+        }
         balls.push(ball);
     }
     Ok(Known { attractor, balls, coordinates, spacing: 0.0 })

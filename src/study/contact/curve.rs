@@ -1,12 +1,13 @@
 //! The least load over the mesh frequency.
 
-use super::{NoLoad, least_load};
+use super::{LeastLoad, NoLoad, search};
 use crate::error::StudyError;
 use crate::model::parameters::Parameters;
 use crate::study::ErrorEstimate;
 use crate::study::grid::Grid;
 use crate::study::motion;
 use crate::study::multipliers::common_period;
+use crate::study::slices::Slices;
 use crate::study::sweep::at_frequency;
 
 /// The least load over the mesh frequency.
@@ -27,11 +28,13 @@ pub struct LeastLoadCurve {
 }
 
 /// The curve in the making, frequency by frequency.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct LeastLoadWork {
     parameters: Parameters,
     omega: Grid,
     tolerance: f64,
+    /// The search at the present frequency.
+    slices: Option<Slices<Result<LeastLoad, StudyError>>>,
     curve: LeastLoadCurve,
 }
 
@@ -43,10 +46,10 @@ impl LeastLoadWork {
     pub fn new(p: &Parameters, omega: Grid, tolerance: f64) -> Result<Self, StudyError> {
         motion::check_tolerance(tolerance)?;
         common_period(p)?;
-        Ok(Self { parameters: *p, omega, tolerance, curve: LeastLoadCurve::default() })
+        Ok(Self { parameters: *p, omega, tolerance, slices: None, curve: LeastLoadCurve::default() })
     }
 
-    /// Does the next frequency; true when all are done.
+    /// Does a slice of the work; true when all is done.
     ///
     /// # Errors
     /// [`StudyError`] where the question itself is refused; a frequency whose search fails has no load instead.
@@ -56,17 +59,20 @@ impl LeastLoadWork {
             return Ok(true);
         }
         let omega = self.omega.value(index);
-        let (load, contact_load, reason) =
-            match least_load(&at_frequency(&self.parameters, omega), self.tolerance) {
-                Ok(least) => {
-                    let most = self.curve.error.residual.unwrap_or(0.0);
-                    self.curve.error.residual = Some(least.error.residual.unwrap_or(0.0).max(most));
-                    self.curve.method = least.method;
-                    (least.load, least.contact_load, least.reason)
-                }
-                Err(StudyError::Numerics(_)) => (None, None, Some(NoLoad::NoResponse)),
-                Err(error) => return Err(error),
-            };
+        let p = at_frequency(&self.parameters, omega);
+        let slices = self.slices.get_or_insert_with(|| Slices::new(search(p, self.tolerance)));
+        let Some(found) = slices.advance() else { return Ok(false) };
+        self.slices = None;
+        let (load, contact_load, reason) = match found {
+            Ok(least) => {
+                let most = self.curve.error.residual.unwrap_or(0.0);
+                self.curve.error.residual = Some(least.error.residual.unwrap_or(0.0).max(most));
+                self.curve.method = least.method;
+                (least.load, least.contact_load, least.reason)
+            }
+            Err(StudyError::Numerics(_)) => (None, None, Some(NoLoad::NoResponse)),
+            Err(error) => return Err(error),
+        };
         self.curve.omega.push(omega);
         self.curve.load.push(load);
         self.curve.contact_load.push(contact_load);

@@ -1,11 +1,15 @@
 //! Invariant circles over the mesh frequency.
 
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use super::{
-    Circle, ErrorEstimate, GearPair, Known, NumericsError, Parameters, Section, StudyError, at_frequency,
-    budget, describe, motion, seed,
+    Circle, ErrorEstimate, GearPair, Known, MOST_STEPS, NumericsError, Parameters, Section, StudyError,
+    Torus, at_frequency, describe, motion, seed,
 };
 use crate::study::grid::Grid;
 use crate::study::multipliers::Budget;
+use crate::study::slices::Slices;
 
 /// The share of a step below which the search for the next circle is given up.
 const LEAST_SHARE: f64 = 1.0 / 100.0;
@@ -13,6 +17,9 @@ const LEAST_SHARE: f64 = 1.0 / 100.0;
 const PLACES: [f64; 7] = [0.5, 0.25, 0.75, 0.125, 0.875, 0.0, 1.0];
 /// A circle whose size fell below this part of the greatest of its branch when it was lost has shrunk away.
 const SHRUNK: f64 = 0.4;
+
+/// Steps that each circle may take, besides those of the search for the first one.
+const STEPS_A_POINT: usize = 20_000;
 
 /// How a branch ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,7 +78,7 @@ type Earlier = (f64, Circle);
 
 /// Follows a circle to another mesh frequency, in steps that are halved where the search fails; ends where it can be
 /// followed no further. Gives the last circle and the one before it.
-pub(super) fn follow<'a>(
+pub(super) async fn follow<'a>(
     p: &Parameters,
     from: Known<'a>,
     earlier: Option<Earlier>,
@@ -83,7 +90,7 @@ pub(super) fn follow<'a>(
     while at.omega() != omega {
         let here = at.omega();
         let next = if (omega - here).abs() <= step.abs() * (1.0 + 1e-9) { omega } else { here + step };
-        match advance(p, &at, before.as_ref(), next) {
+        match advance(p, &at, before.as_ref(), next).await {
             Ok(known) => {
                 before = Some((here, at.circle));
                 at = known;
@@ -102,7 +109,7 @@ pub(super) fn follow<'a>(
 }
 
 /// The circle at the next mesh frequency, straight on from the last two.
-fn advance<'a>(
+async fn advance<'a>(
     p: &Parameters,
     at: &Known<'a>,
     before: Option<&Earlier>,
@@ -127,7 +134,7 @@ fn advance<'a>(
     }
     let section = Section { pair: GearPair::new(&at_frequency(p, omega)), ..at.section };
     let size = at.circle.size();
-    let (circle, defect) = section.converge(guess)?;
+    let (circle, defect) = section.converge(guess).await?;
     if circle.size() > 2.0 * size || (circle.rotation - at.circle.rotation).abs() > 0.02 {
         // Another circle.
         return Err(NumericsError::NoConvergence {
@@ -140,66 +147,10 @@ fn advance<'a>(
 }
 
 /// A branch in the making, circle by circle: from a first one up to the end of the range, then down.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct TorusBranchWork {
-    parameters: Parameters,
-    omega: Grid,
-    tolerance: f64,
-    /// The first circle: its frequency, and the circle with what belongs to it.
-    first: Option<Place>,
-    at: Option<Place>,
-    earlier: Option<Earlier>,
-    /// Index of the next frequency of the grid; none where this direction is done.
-    next: Option<usize>,
-    upwards: bool,
-    tried: usize,
-    rows: Vec<Row>,
-    ends: [TorusEnd; 2],
-    defect: f64,
-    done: bool,
-}
-
-/// A circle without the borrowed budget of its search.
-#[derive(Clone, Debug)]
-struct Place {
-    omega: f64,
-    circle: Circle,
-    periods: usize,
-    on_manifold: bool,
-    defect: f64,
-}
-
-impl Place {
-    fn of(known: &Known) -> Self {
-        Self {
-            omega: known.omega(),
-            circle: known.circle.clone(),
-            periods: known.section.periods,
-            on_manifold: known.section.on_manifold,
-            defect: known.defect,
-        }
-    }
-
-    fn known<'a>(&self, p: &Parameters, tolerance: f64, budget: &'a Budget) -> Known<'a> {
-        let section = Section {
-            pair: GearPair::new(&at_frequency(p, self.omega)),
-            periods: self.periods,
-            on_manifold: self.on_manifold,
-            tolerance,
-            budget,
-        };
-        Known { section, circle: self.circle.clone(), defect: self.defect, averages: None }
-    }
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Row {
-    omega: f64,
-    mean_radius: f64,
-    max_u_p: f64,
-    max_u: f64,
-    rotation: f64,
-    stable: bool,
+    slices: Slices<Result<(), StudyError>>,
+    branch: Rc<RefCell<TorusBranch>>,
 }
 
 impl TorusBranchWork {
@@ -210,132 +161,110 @@ impl TorusBranchWork {
     pub fn new(p: &Parameters, omega: [f64; 2], points: usize, tolerance: f64) -> Result<Self, StudyError> {
         motion::check_tolerance(tolerance)?;
         let omega = Grid::new("Omega", omega, points, [0.01, 100.0])?;
-        Ok(Self {
-            parameters: *p,
-            omega,
-            tolerance,
-            first: None,
-            at: None,
-            earlier: None,
-            next: None,
-            upwards: true,
-            tried: 0,
-            rows: Vec::new(),
+        let branch = Rc::new(RefCell::new(TorusBranch {
+            omega: Vec::new(),
+            mean_radius: Vec::new(),
+            max_u_p: Vec::new(),
+            max_u: Vec::new(),
+            rotation: Vec::new(),
+            stable: Vec::new(),
             ends: [TorusEnd::Range; 2],
-            defect: 0.0,
-            done: false,
-        })
+            method: "collocation of Fourier nodes on the stroboscopic map, followed in Omega".into(),
+            error: ErrorEstimate::default(),
+        }));
+        Ok(Self { slices: Slices::new(trace(*p, omega, tolerance, Rc::clone(&branch))), branch })
     }
 
-    /// Does the next circle, or looks at the next place for a first one; true when all is done.
+    /// Does a slice of the work; true when all is done.
     ///
     /// # Errors
     /// [`StudyError::NotFound`] where no place has one; [`StudyError::Model`] for an incommensurate load;
     /// [`StudyError::Numerics`] where the integration fails.
     pub fn advance(&mut self) -> Result<bool, StudyError> {
-        if self.done {
-            return Ok(true);
+        match self.slices.advance() {
+            None => Ok(false),
+            Some(done) => done.map(|()| true),
         }
-        let budget = budget();
-        if self.first.is_none() {
-            self.begin(&budget)?;
-            return Ok(false);
-        }
-        let (Some(index), Some(at)) = (self.next, self.at.take()) else {
-            self.turn();
-            return Ok(self.done);
-        };
-        let target = self.omega.value(index);
-        let from = at.known(&self.parameters, self.tolerance, &budget);
-        let (known, earlier) = follow(&self.parameters, from, self.earlier.take(), target);
-        let arrived = known.omega() == target;
-        if known.omega() != at.omega {
-            self.push(&known)?;
-        }
-        if arrived {
-            self.at = Some(Place::of(&known));
-            self.earlier = earlier;
-            self.next = if self.upwards {
-                Some(index + 1).filter(|&i| i < self.omega.count)
-            } else {
-                index.checked_sub(1)
-            };
-        } else {
-            let greatest = self.rows.iter().map(|row| row.max_u_p).fold(0.0, f64::max);
-            let last = if self.upwards { self.rows.last() } else { self.rows.first() };
-            let shrunk = last.is_some_and(|row| row.max_u_p < SHRUNK * greatest);
-            self.ends[usize::from(self.upwards)] = if shrunk { TorusEnd::Shrinks } else { TorusEnd::Lost };
-            self.next = None;
-        }
-        Ok(false)
     }
 
     /// The branch so far.
     pub fn branch(&self) -> TorusBranch {
-        let column = |pick: fn(&Row) -> f64| self.rows.iter().map(pick).collect();
-        TorusBranch {
-            omega: column(|row| row.omega),
-            mean_radius: column(|row| row.mean_radius),
-            max_u_p: column(|row| row.max_u_p),
-            max_u: column(|row| row.max_u),
-            rotation: column(|row| row.rotation),
-            stable: self.rows.iter().map(|row| row.stable).collect(),
-            ends: self.ends,
-            method: "collocation of Fourier nodes on the stroboscopic map, followed in Omega".into(),
-            error: ErrorEstimate { residual: Some(self.defect), ..ErrorEstimate::default() },
-        }
+        self.branch.borrow().clone()
     }
+}
 
-    /// Looks for a first circle at the next place.
-    fn begin(&mut self, budget: &Budget) -> Result<(), StudyError> {
-        let last = self.omega.count - 1;
-        let place = PLACES.get(self.tried).copied().unwrap_or(1.0);
-        let index = (place * last as f64).round() as usize;
-        self.tried += 1;
-        let p = at_frequency(&self.parameters, self.omega.value(index));
-        match seed::by_motion(&p, self.tolerance, budget) {
-            Ok(known) => {
-                self.push(&known)?;
-                self.first = Some(Place::of(&known));
-                self.at.clone_from(&self.first);
-                self.next = Some(index + 1).filter(|&next| next <= last);
-                Ok(())
+/// Finds a first circle and follows it both ways.
+async fn trace(
+    p: Parameters,
+    omega: Grid,
+    tolerance: f64,
+    branch: Rc<RefCell<TorusBranch>>,
+) -> Result<(), StudyError> {
+    let budget = Budget::of(MOST_STEPS + STEPS_A_POINT * omega.count);
+    let (index, first) = begin(&p, &omega, tolerance, &budget).await?;
+    let torus = describe(&first).await?;
+    branch.borrow_mut().insert(&torus, &first, true);
+    for upwards in [true, false] {
+        let (mut at, mut earlier) = (first.clone(), None);
+        let mut next = index;
+        loop {
+            next = if upwards { next + 1 } else { next.wrapping_sub(1) };
+            if next >= omega.count {
+                break;
             }
-            Err(StudyError::NotFound { .. }) if self.tried < PLACES.len() => Ok(()),
-            Err(error) => Err(error),
+            let (target, here) = (omega.value(next), at.omega());
+            (at, earlier) = follow(&p, at, earlier, target).await;
+            if at.omega() != here {
+                let torus = describe(&at).await?;
+                branch.borrow_mut().insert(&torus, &at, upwards);
+            }
+            if at.omega() != target {
+                branch.borrow_mut().end(upwards);
+                break;
+            }
         }
     }
+    Ok(())
+}
 
-    /// Turns from the way up to the way down, and from that to the end.
-    fn turn(&mut self) {
-        if !self.upwards {
-            self.done = true;
-            return;
+/// Looks for a first circle, place after place: the index of its frequency, and the circle.
+async fn begin<'a>(
+    p: &Parameters,
+    omega: &Grid,
+    tolerance: f64,
+    budget: &'a Budget,
+) -> Result<(usize, Known<'a>), StudyError> {
+    let mut failure = None;
+    for place in PLACES {
+        let index = (place * (omega.count - 1) as f64).round() as usize;
+        match seed::by_motion(&at_frequency(p, omega.value(index)), tolerance, budget).await {
+            Ok(known) => return Ok((index, known)),
+            Err(error @ StudyError::NotFound { .. }) => failure = Some(error),
+            Err(error) => return Err(error),
         }
-        self.upwards = false;
-        self.earlier = None;
-        self.at.clone_from(&self.first);
-        let first = self.first.as_ref().map_or(f64::NEG_INFINITY, |first| first.omega);
-        self.next = (0..self.omega.count).rev().find(|&index| self.omega.value(index) < first);
+    }
+    Err(failure.unwrap_or(NumericsError::Singular.into()))
+}
+
+impl TorusBranch {
+    /// Adds a circle at its upper or at its lower end.
+    fn insert(&mut self, torus: &Torus, known: &Known, upwards: bool) {
+        let at = if upwards { self.omega.len() } else { 0 };
+        self.omega.insert(at, known.omega());
+        self.mean_radius.insert(at, torus.mean_radius);
+        self.max_u_p.insert(at, torus.max_u_p);
+        self.max_u.insert(at, torus.max_u);
+        self.rotation.insert(at, torus.rotation);
+        self.stable.insert(at, torus.stable);
+        self.error.residual = Some(self.error.residual.unwrap_or(0.0).max(known.defect));
     }
 
-    fn push(&mut self, known: &Known) -> Result<(), StudyError> {
-        let torus = describe(known)?;
-        self.defect = self.defect.max(known.defect);
-        let row = Row {
-            omega: known.omega(),
-            mean_radius: torus.mean_radius,
-            max_u_p: torus.max_u_p,
-            max_u: torus.max_u,
-            rotation: torus.rotation,
-            stable: torus.stable,
-        };
-        if self.upwards {
-            self.rows.push(row);
-        } else {
-            self.rows.insert(0, row);
-        }
-        Ok(())
+    /// Says why it ends.
+    fn end(&mut self, upwards: bool) {
+        let greatest = self.max_u_p.iter().copied().fold(0.0, f64::max);
+        let last = if upwards { self.max_u_p.last() } else { self.max_u_p.first() };
+        let shrunk = last.is_some_and(|size| *size < SHRUNK * greatest);
+        self.ends[usize::from(upwards)] = if shrunk { TorusEnd::Shrinks } else { TorusEnd::Lost };
     }
 }
 

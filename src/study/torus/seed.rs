@@ -14,10 +14,15 @@ const STAGES: [usize; 5] = [300, 900, 2700, 8100, 16_200];
 const POINTS: usize = 1024;
 /// Points over which the averages of the answer are taken, the circle being known.
 const AVERAGED: usize = 1024;
-/// The same where the motion settles slowly, at most.
+/// The same where they agree slowly, at most.
 const MOST_AVERAGED: usize = 8192;
-/// Difference of the mean radius over the two halves of these, at which it has settled.
-const SETTLED: f64 = 1e-7;
+/// Difference of the mean radius over the two halves of these, at which they agree.
+const AGREED: f64 = 1e-7;
+/// Distance from where the circle's rotation would put it at the end, relative to the circle's size, above which the
+/// motion has left the circle.
+const LEAVES: f64 = 1e-4;
+/// Steps that the search for a loaded pair's response may take.
+const RESPONSE_STEPS: usize = 5000;
 /// Most circles that the map carries one into the next.
 const MOST_CIRCLES: usize = 4;
 /// The seed's defect, relative to its size, below which the collocation is tried.
@@ -49,13 +54,14 @@ pub(super) fn rotation(turns: f64, periods: usize, seen: Option<f64>) -> f64 {
 }
 
 /// Starts from which a motion is followed: the cycles of \[T8\] and smaller ones, then near rest.
-fn starts(p: &Parameters, budget: &Budget) -> Vec<[f64; 6]> {
+fn starts(p: &Parameters) -> Vec<[f64; 6]> {
     let centre = if unloaded(p) {
         trivial_state(p)
     } else {
         let period = common_period(p).unwrap_or(1);
         let options = OrbitOptions { period, ..OrbitOptions::default() };
-        orbit::response(p, period, &options, budget).map_or_else(|_| trivial_state(p), |orbit| orbit.state)
+        orbit::response(p, period, &options, &Budget::of(RESPONSE_STEPS))
+            .map_or_else(|_| trivial_state(p), |orbit| orbit.state)
     };
     let mut starts = Vec::new();
     if let Ok(symmetric) = p.symmetric()
@@ -77,18 +83,18 @@ fn starts(p: &Parameters, budget: &Budget) -> Vec<[f64; 6]> {
 }
 
 /// The circle that a motion settles on.
-pub(super) fn by_motion<'a>(
+pub(super) async fn by_motion<'a>(
     p: &Parameters,
     tolerance: f64,
     budget: &'a Budget,
 ) -> Result<Known<'a>, StudyError> {
     let pair = GearPair::new(p);
     let mut found = "every motion tried escapes".to_owned();
-    for start in starts(p, budget) {
+    for start in starts(p) {
         if motion::check_state(&pair, &start).is_err() {
             continue;
         }
-        match settle(p, start, tolerance, budget)? {
+        match settle(p, start, tolerance, budget).await? {
             Ok(known) => return Ok(known),
             Err(words) => found = words,
         }
@@ -97,7 +103,7 @@ pub(super) fn by_motion<'a>(
 }
 
 /// Follows one motion; where it comes to no circle, says in words to what.
-fn settle<'a>(
+async fn settle<'a>(
     p: &Parameters,
     start: [f64; 6],
     tolerance: f64,
@@ -111,6 +117,7 @@ fn settle<'a>(
             let before = strobe.steps();
             let Some(state) = strobe.next()? else { return Ok(Err("the motion escapes".into())) };
             budget.spend(strobe.steps() - before);
+            budget.rest().await;
             if budget.left() == 0 {
                 return Err(NumericsError::TooManySteps { time: strobe.time(), steps: strobe.steps() }.into());
             }
@@ -120,20 +127,20 @@ fn settle<'a>(
                 && let Some(period) = returning(&states)
             {
                 searches += 1;
-                if let Some(orbit) = stable_orbit(p, state, period, settling::ELSEWHERE, tolerance) {
+                if let Some(orbit) = stable_orbit(p, state, period, settling::ELSEWHERE, tolerance, budget) {
                     return Ok(Err(format!("the motion settles on an orbit of period {} T", orbit.period)));
                 }
             }
         }
-        if let Some(known) = circle(p, &states[states.len() - POINTS..], tolerance, budget)? {
-            return Ok(Ok(measured(known, &mut strobe, states)?));
+        if let Some(known) = circle(p, &states[states.len() - POINTS..], tolerance, budget).await? {
+            return Ok(Ok(measured(known, tolerance).await?));
         }
     }
     Ok(Err("the motion does not settle on a closed curve".into()))
 }
 
 /// Makes a circle of the last points of a motion, if they lie near one.
-fn circle<'a>(
+async fn circle<'a>(
     p: &Parameters,
     states: &[[f64; 6]],
     tolerance: f64,
@@ -162,10 +169,10 @@ fn circle<'a>(
                 Err(error @ NumericsError::TooManySteps { .. }) => return Err(error.into()),
                 _ => continue,
             }
-            match section.converge(seed) {
+            match section.converge(seed).await {
                 Ok((circle, defect)) => {
                     let known = Known { section, circle, defect, averages: None };
-                    return Ok(Some(single(known, common)?));
+                    return Ok(Some(single(known, common).await?));
                 }
                 Err(error @ NumericsError::TooManySteps { .. }) => return Err(error.into()),
                 Err(_) => (),
@@ -177,7 +184,7 @@ fn circle<'a>(
 
 /// The same circle as one of the map of the least period, if it is: a motion that still grows may have been fitted by
 /// every second of its points only.
-fn single(known: Known, common: usize) -> Result<Known, StudyError> {
+async fn single(known: Known<'_>, common: usize) -> Result<Known<'_>, StudyError> {
     let several = known.section.periods / common;
     for whole in 0..several {
         if several == 1 {
@@ -188,7 +195,7 @@ fn single(known: Known, common: usize) -> Result<Known, StudyError> {
         let circle = Circle { rotation, ..known.circle.clone() };
         let map: &mut Map = &mut |point, to, derivative| section.map(point, to, derivative);
         if circle.defect(map, 4)? < 0.01 * circle.size()
-            && let Ok((circle, defect)) = section.converge(circle)
+            && let Ok((circle, defect)) = section.converge(circle).await
         {
             return Ok(Known { section, circle, defect, averages: None });
         }
@@ -216,8 +223,7 @@ fn fitted(section: &Section, states: &[[f64; 6]], mirrored: bool) -> Option<Circ
     let dimension = section.dimension();
     let count = if mirrored { 32 } else { 65 };
     let spacing = 1.0 / (count * if mirrored { 2 } else { 1 }) as f64;
-    let coordinates: Vec<usize> =
-        if section.on_manifold { super::ON_MANIFOLD.to_vec() } else { (0..6).collect() };
+    let coordinates = section.coordinates();
     let mut nodes = vec![0.0; count * dimension];
     let most: u32 = if mirrored { 12 } else { 20 };
     for (place, &coordinate) in coordinates.iter().enumerate() {
@@ -238,40 +244,50 @@ fn fitted(section: &Section, states: &[[f64; 6]], mirrored: bool) -> Option<Circ
     Some(Circle { dimension, mirrored, nodes, rotation: turns })
 }
 
-/// Adds the averages of the motion, followed on where it has not been followed long enough.
-fn measured<'a>(
-    mut known: Known<'a>,
-    strobe: &mut Strobe,
-    mut states: Vec<[f64; 6]>,
-) -> Result<Known<'a>, StudyError> {
+/// Adds the averages of a motion that starts on the circle: a motion that came to it may not have settled for long.
+async fn measured(mut known: Known<'_>, tolerance: f64) -> Result<Known<'_>, StudyError> {
+    let section = known.section;
+    let start = section.expand(&known.circle.nodes[..known.circle.dimension]);
+    let mut strobe = Strobe::new(&section.pair.parameters, start, tolerance)?;
+    let mut states = Vec::with_capacity(AVERAGED);
     let mut count = AVERAGED;
-    let (states, weights, radii) = loop {
-        while states.len() < count + POINTS {
-            match strobe.next()? {
-                Some(state) => states.push(state),
-                None => return Ok(known),
+    let (weights, radii) = loop {
+        while states.len() < count {
+            states.push(strobe.state());
+            let before = strobe.steps();
+            if strobe.next()?.is_none() {
+                return Ok(known);
             }
+            section.spend(strobe.steps() - before)?;
+            section.budget.rest().await;
         }
-        let last = &states[states.len() - count..];
-        let radii: Vec<f64> = last.iter().map(|state| state[0].hypot(state[3])).collect();
+        // Where the circle repels, the motion has left it at the end.
+        let passages = (count - 1) / section.periods;
+        let on_circle = known.circle.point((passages as f64 * known.circle.rotation).fract());
+        let last = states[passages * section.periods];
+        let near = LEAVES * known.circle.size();
+        if section.coordinates().iter().zip(&on_circle).any(|(&i, value)| (last[i] - value).abs() > near) {
+            return Ok(known);
+        }
+        let radii: Vec<f64> = states.iter().map(|state| state[0].hypot(state[3])).collect();
         let mean = |part: &[f64]| birkhoff::mean(part, &birkhoff::weights(part.len()));
-        // As long as the two halves differ, the motion has not settled yet.
+        // As long as the two halves differ, more points are wanted.
         let (first, second) = radii.split_at(count / 2);
-        if (mean(first) - mean(second)).abs() < SETTLED || count >= MOST_AVERAGED {
-            break (last, birkhoff::weights(count), radii);
+        if (mean(first) - mean(second)).abs() < AGREED || count >= MOST_AVERAGED {
+            break (birkhoff::weights(count), radii);
         }
         count *= 2;
     };
+    let radius = birkhoff::mean(&radii, &weights);
     let series: Vec<f64> = states.iter().map(|state| state[0]).collect();
-    let periods = known.section.periods as f64;
+    let periods = section.periods as f64;
     // Lines of several circles that belong to the order in which they are visited, not to the motion on them.
     let harmonic = |turns: f64| {
         let nearest = (turns * periods).round();
-        known.section.periods > 1 && (turns * periods - nearest).abs() < 4.0 * periods / states.len() as f64
+        section.periods > 1 && (turns * periods - nearest).abs() < 4.0 * periods / states.len() as f64
     };
     if let Some(turns) = strongest(&series, &weights, &harmonic) {
-        known.averages =
-            Some(Averages { mean_radius: birkhoff::mean(&radii, &weights), rotation: folded(turns) });
+        known.averages = Some(Averages { mean_radius: radius, rotation: folded(turns) });
     }
     Ok(known)
 }
