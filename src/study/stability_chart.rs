@@ -45,6 +45,8 @@ const ENOUGH: f64 = 20.0;
 const ROUNDING: f64 = 1e-14;
 /// An error this many times that is too great to be it.
 const MANY: f64 = 100.0;
+/// Terms this much below the error are left out.
+const NEGLIGIBLE: f64 = 1e-3;
 /// Points computed directly, for comparison.
 const SPOT_CHECKS: usize = 8;
 /// Terms in k0^2 that are tried first.
@@ -347,6 +349,10 @@ impl Surface {
         for (column, terms) in columns.chunks_exact_mut(count).zip(values.chunks_exact(self.terms)) {
             column.fill(0.0);
             for (value, polynomial) in terms.iter().zip(basis.chunks_exact(count)) {
+                // Short periods have few terms.
+                if value.abs() < NEGLIGIBLE * self.error {
+                    continue;
+                }
                 for (sum, basis) in column.iter_mut().zip(polynomial) {
                     *sum += value * basis;
                 }
