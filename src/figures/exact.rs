@@ -354,8 +354,11 @@ impl Exact {
     }
 }
 
+/// Role, name, label, and which events they are for.
+type Look = (Role, &'static str, &'static str, fn(&BranchEvent) -> bool);
+
 /// The kinds of events: how they are drawn, what they are called, which they are.
-const EVENTS: [(Role, &str, &str, fn(&BranchEvent) -> bool); 8] = [
+const EVENTS: [Look; 8] = [
     (Role::Fold, "fold", "fold", |event| event.kind == EventKind::Fold),
     (Role::TorusBifurcation, "torus bifurcation", "torus", |event| event.kind == EventKind::NeimarkSacker),
     (Role::AcrossManifold, "across the manifold", "across", |event| {

@@ -132,6 +132,9 @@ impl Part for Cycles {
         if let Some((found, torus)) = self.at(supports, omega_1)? {
             self.error = self.error.worse(torus.error);
             self.found.push((supports, found));
+        } else if let Some(waiting) = &mut self.waiting {
+            // The line ends here: further from its birth every search would be long, and in vain.
+            waiting.retain(|(of, _)| *of != supports);
         }
         Ok(self.waiting.as_ref().is_none_or(Vec::is_empty))
     }
