@@ -1,7 +1,7 @@
 //! Figure B: the exact periodic and quasi-periodic motions over the mesh frequency, above the theory's branches.
 
 use super::compose::{Composer, Line, Points, axis, even, number, plane};
-use super::exact::Exact;
+use super::exact::{Exact, Spot, Style};
 use super::job::{Figure, Slices};
 use super::tongue_range::range;
 use super::tongues::{Setting, half_parabola};
@@ -15,6 +15,8 @@ use crate::theory::{Edges, combination, primary};
 
 /// Longest period that is followed, mesh periods.
 const LONGEST: usize = 4;
+/// Most branches that are followed.
+const MOST: usize = 24;
 /// Mesh frequencies at which theory and exact branches are compared.
 const COMPARED: usize = 400;
 
@@ -37,7 +39,7 @@ pub(super) struct Branches {
 impl Branches {
     pub(super) fn new(parameters: &Parameters) -> Self {
         let range = range(parameters);
-        let exact = Exact::new(parameters, range, LONGEST, true);
+        let exact = Exact::new(parameters, range, LONGEST, MOST).with_tori();
         // Unequal supports have exact branches all the same; the formulas need equal ones.
         Self { exact, setting: Setting::of(parameters).ok(), range }
     }
@@ -117,7 +119,9 @@ impl Branches {
             let line = theory.label.map_or(line.clone(), |label| line.label(label, 0.3));
             composer.curve(frame, line, Points::plane(theory.curve));
         }
-        self.exact.draw(&mut composer, frame, "", &|omega, size| (omega, size), true);
+        let place = &|index: usize, spot: Spot| self.exact.by_size(index, spot);
+        self.exact.draw(&mut composer, frame, &Style { name: "", place, space: false, marked: true });
+        self.exact.draw_tori(&mut composer, frame);
         composer.drawing()
     }
 
@@ -135,7 +139,9 @@ impl Branches {
                 let part = (omega - one.0) / (other.0 - one.0);
                 Some(one.1 + part * (other.1 - one.1))
             });
-            let pair = formula.reduce(f64::max).zip(self.exact.stable_size(omega));
+            let pair = formula
+                .reduce(f64::max)
+                .zip(self.exact.stable_at(omega, &|index, spot| self.exact.by_size(index, spot)));
             if let Some((formula, exact)) = pair {
                 let off = (formula - exact).abs();
                 if farthest.is_none_or(|(_, a, b)| off > (a - b).abs()) {

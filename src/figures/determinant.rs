@@ -1,13 +1,17 @@
 //! Figures 2 and 4: determinants of the slow flow's Jacobian, (68)-(70) and (92)-(94).
 
+use super::beside::{edges_apart, edges_on_axis};
 use super::compose::{Composer, Line, Points, axis, even, number, plane};
 use super::job::{Figure, formula};
 use super::tongues::Setting;
 use crate::chart::drawing::Role;
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
+use crate::study::ErrorEstimate;
+use crate::study::tongue::Tongue;
+use crate::theory::damped::primary_half_width;
 use crate::theory::modes::Mode;
-use crate::theory::primary::{Branch, determinant_at, half_width};
+use crate::theory::primary::{Branch, determinant_at, emanating_frequency, half_width};
 
 /// How far the axis reaches, in half-widths of the tongue.
 const REACH: f64 = 1.9;
@@ -70,6 +74,7 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters, mode: Mode) -> R
         let line = Line::new(name, "pitchfork bifurcation at the tongue's edge", Role::Bifurcation);
         composer.marks(frame, line.label(label, 0.5), Points::one((omega_1, 0.0)));
     }
+    let (exact, error) = exact_edges(&mut composer, frame, parameters, mode, &setting);
     let summary = format!(
         "The determinant at the origin is below zero, a saddle, for Omega_1 between {} and {}; the determinants at \
          R_2,3 and R_4,5 pass through zero at the left and at the right of these, where the pitchforks are.",
@@ -81,12 +86,51 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters, mode: Mode) -> R
         parameters,
         composer,
         summary,
-        &format!("closed formulas {}-{}", equations[0], equations[2]),
+        &format!(
+            "closed formulas {}-{}; exact edges: zeros of the characteristic polynomial's conditions, to 1e-9",
+            equations[0], equations[2]
+        ),
     );
+    figure.notes = exact;
+    figure.error = error;
     figure.notes.push(format!(
         "The equilibria on a branch exist only on one side of its star: for hardening supports (alpha > 0) on the right \
          of it, for softening ones on the left ({}).",
         if mode == Mode::Second { "(71)-(76)" } else { "(95)-(100)" }
     ));
     Ok(figure)
+}
+
+/// Marks the exact edges on the axis, with the damping and without; gives remarks and the errors of the former.
+fn exact_edges(
+    composer: &mut Composer,
+    frame: usize,
+    parameters: &Parameters,
+    mode: Mode,
+    setting: &Setting,
+) -> (Vec<String>, ErrorEstimate) {
+    let tongue = match mode {
+        Mode::Second => Tongue::Primary2,
+        Mode::Third => Tongue::Primary3,
+    };
+    let (mut notes, mut error) = (Vec::new(), ErrorEstimate::default());
+    let undamped = Parameters { zeta: 0.0, zeta_p: 0.0, zeta_g: 0.0, ..*parameters };
+    for (p, name, label, formula) in [
+        (parameters, "with damping", "exact", primary_half_width(&setting.modes, mode, &setting.symmetric)),
+        (&undamped, "without damping", "exact, undamped", None),
+    ] {
+        let formula = formula.map_or(half_width(&setting.modes, mode), |width| width / p.k0);
+        match edges_on_axis(p, tongue, emanating_frequency(&setting.modes, mode)) {
+            Ok((Some(edges), answer)) => {
+                let meaning = format!("exact edges of the tongue {name}");
+                let line = Line::new(format!("exact edges {name}"), meaning, Role::Exact);
+                composer.marks(frame, line.label(label, 0.0), Points::plane(edges.map(|x| (x, 0.0))));
+                notes.push(edges_apart(&format!("{name}, of first order,"), formula, edges));
+                error = error.worse(answer.error);
+            }
+            Ok((None, _)) => notes.push(format!("Exactly, {name}, the tongue is closed.")),
+            Err(failed) => notes.push(format!("The exact edges {name} cannot be computed: {failed}.")),
+        }
+    }
+    (notes, error)
 }

@@ -41,8 +41,7 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
     let (printed_edge, edge) = (half_width_printed(modes), half_width(modes));
     let damped_edge =
         combination_half_width(modes, symmetric).map(|width| width / k0).filter(|w| w.is_finite());
-    let widest = damped_edge.unwrap_or(0.0).max(printed_edge).max(edge);
-    let range = about_zero(REACH * widest);
+    let range = about_zero(reach(&setting));
 
     let printed = |omega_1: f64| eigenvalues_111(modes, omega_1).map(|value| (value.re, value.im));
     let corrected = |omega_1: f64| growth_rates(modes, omega_1).map(|value| (k0 * value.re, k0 * value.im));
@@ -112,6 +111,14 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
         figure.notes.push("Damping closes this tongue at this k0.".to_owned());
     }
     Ok(figure)
+}
+
+/// How far the axis reaches, in `Omega_1`.
+pub(super) fn reach(setting: &Setting) -> f64 {
+    let (modes, symmetric) = (&setting.modes, &setting.symmetric);
+    let damped = combination_half_width(modes, symmetric).map(|width| width / symmetric.k0);
+    let damped = damped.filter(|width| width.is_finite()).unwrap_or(0.0);
+    REACH * damped.max(half_width_printed(modes)).max(half_width(modes))
 }
 
 fn panels(composer: &mut Composer, column: usize, title: &str, range: (f64, f64), sets: &[Set]) {

@@ -15,6 +15,9 @@ use crate::study::torus::torus;
 const TOLERANCE: f64 = 1e-9;
 /// Tolerance of tori: a line is drawn through them.
 const TORUS: f64 = 1e-7;
+/// Orbits with a multiplier above this are left out: what is left of double precision there does not show in a picture,
+/// but nobody would meet them either.
+const STEEPEST: f64 = 1e4;
 /// Tori that are computed between two torus bifurcations.
 const TORI: usize = 10;
 
@@ -30,39 +33,103 @@ struct Size {
 #[derive(Debug)]
 pub(super) struct Exact {
     parameters: Parameters,
+    options: DiagramOptions,
+    /// The first slice does nothing: what else the figure shows is not kept waiting.
+    begun: bool,
     work: Option<DiagramWork>,
-    /// Mesh frequencies of tori to come.
+    /// Mesh frequencies of tori to come, once all of the orbits are there.
     waiting: Option<Vec<f64>>,
     tori: Vec<Size>,
+    of_tori: ErrorEstimate,
     /// Why there are no branches, where there are none.
     refused: Option<String>,
     with_tori: bool,
 }
 
-/// A place in a figure from mesh frequency and greatest `|u_p|`.
-pub(super) type Place<'a> = &'a dyn Fn(f64, f64) -> (f64, f64);
+/// A point of a branch, or an event on it, by its index.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Spot {
+    Point(usize),
+    Event(usize),
+}
+
+impl Spot {
+    /// Mesh frequency, state at t = 0, and greatest `|u_p|`.
+    pub(super) fn of(self, branch: &Branch) -> (f64, [f64; 6], f64) {
+        match self {
+            Self::Point(at) => (branch.value[at], branch.state[at], branch.max_u_p[at]),
+            Self::Event(at) => {
+                let event = &branch.events[at];
+                (event.value, event.state, event.max_u_p)
+            }
+        }
+    }
+}
+
+/// The place in a figure of a spot of the branch of this index; not finite where it has none.
+pub(super) type Place<'a> = &'a dyn Fn(usize, Spot) -> [f64; 3];
+
+/// How branches are drawn.
+pub(super) struct Style<'a> {
+    /// Sets names apart from those of another drawing of the same kind.
+    pub(super) name: &'a str,
+    pub(super) place: Place<'a>,
+    /// The frame has three axes.
+    pub(super) space: bool,
+    /// With the names of the branches and the bifurcations on them.
+    pub(super) marked: bool,
+}
+
+/// Whether an orbit is too unstable to be shown.
+fn steep(branch: &Branch, at: usize) -> bool {
+    branch.re[at][0].hypot(branch.im[at][0]) > STEEPEST
+}
 
 impl Exact {
     /// The branches over a range of mesh frequencies; a system without any answers with none.
-    pub(super) fn new(p: &Parameters, range: (f64, f64), max_period: usize, with_tori: bool) -> Self {
+    pub(super) fn new(p: &Parameters, range: (f64, f64), max_period: usize, max_branches: usize) -> Self {
         let omega = [range.0.clamp(0.01, 99.0), range.1.clamp(0.011, 100.0)];
-        let options = DiagramOptions {
-            max_period,
-            max_branches: 24,
-            tolerance: TOLERANCE,
-            ..DiagramOptions::new(omega)
-        };
+        let options =
+            DiagramOptions { max_period, max_branches, tolerance: TOLERANCE, ..DiagramOptions::new(omega) };
         let inside = at_frequency(p, p.omega.clamp(omega[0], omega[1]));
-        let (work, refused) = match DiagramWork::new(&inside, &options) {
-            Ok(work) => (Some(work), None),
-            Err(error) => (None, Some(error.to_string())),
-        };
-        Self { parameters: *p, work, waiting: None, tori: Vec::new(), refused, with_tori }
+        Self {
+            parameters: inside,
+            options,
+            begun: false,
+            work: None,
+            waiting: None,
+            tori: Vec::new(),
+            of_tori: ErrorEstimate::default(),
+            refused: None,
+            with_tori: false,
+        }
+    }
+
+    /// With the tori between the torus bifurcations of the steady response.
+    pub(super) fn with_tori(self) -> Self {
+        Self { with_tori: true, ..self }
+    }
+
+    /// Finds the steady response that the branches begin at.
+    fn begin(&mut self) {
+        match DiagramWork::new(&self.parameters, &self.options) {
+            Ok(work) => self.work = Some(work),
+            Err(error) => self.refused = Some(error.to_string()),
+        }
     }
 
     /// Does a slice of the work; true when all is done.
     pub(super) fn advance(&mut self) -> Result<bool, FigureError> {
-        let Some(work) = &mut self.work else { return Ok(true) };
+        if !self.begun {
+            self.begun = true;
+            return Ok(false);
+        }
+        let Some(work) = &mut self.work else {
+            if self.refused.is_none() {
+                self.begin();
+            }
+            return Ok(self.work.is_none());
+        };
         if self.waiting.is_none() {
             if work.advance()? {
                 self.waiting = Some(if self.with_tori { self.frequencies() } else { Vec::new() });
@@ -70,10 +137,11 @@ impl Exact {
             return Ok(false);
         }
         let Some(omega) = self.waiting.as_mut().and_then(Vec::pop) else { return Ok(true) };
-        let p = at_frequency(&self.parameters, omega);
-        // Where there is no torus the line ends.
-        if let Ok(found) = torus(&p, TORUS) {
+        // One torus a slice, each from a motion: to follow them from one to the next takes longer where they end. Where
+        // there is no torus the line ends.
+        if let Ok(found) = torus(&at_frequency(&self.parameters, omega), TORUS) {
             self.tori.push(Size { omega, max_u_p: found.max_u_p, stable: found.stable });
+            self.of_tori = self.of_tori.worse(found.error);
         }
         Ok(self.waiting.as_ref().is_none_or(Vec::is_empty))
     }
@@ -102,9 +170,11 @@ impl Exact {
         wanted
     }
 
-    /// What is known of the error.
+    /// What is known of the error of the branches that are drawn whole, and of the tori.
     pub(super) fn error(&self) -> ErrorEstimate {
-        self.diagram().map_or_else(ErrorEstimate::default, |diagram| diagram.error)
+        let whole =
+            self.branches().iter().filter(|branch| !(0..branch.value.len()).any(|at| steep(branch, at)));
+        whole.fold(self.of_tori, |worst, branch| worst.worse(branch.error))
     }
 
     /// Remarks for the reader.
@@ -112,6 +182,19 @@ impl Exact {
         let mut notes = Vec::new();
         if let Some(refused) = &self.refused {
             notes.push(format!("No exact branches: {refused}."));
+        }
+        let cut =
+            self.branches().iter().flat_map(|branch| (0..branch.value.len()).map(|at| steep(branch, at)));
+        let (mut left_out, mut all) = (0, 0);
+        for steep in cut {
+            all += 1;
+            left_out += usize::from(steep);
+        }
+        if left_out > 0 {
+            notes.push(format!(
+                "Left out are {left_out} of {all} exact orbits, with a multiplier above 10,000; the errors given are \
+                 those of the branches drawn whole."
+            ));
         }
         match (&self.waiting, self.work.is_some()) {
             (None, true) => notes.push(format!("{} exact branches so far.", self.branches().len())),
@@ -123,59 +206,94 @@ impl Exact {
 
     /// Greatest `|u_p|` of all.
     pub(super) fn highest(&self) -> f64 {
-        let orbits = self.branches().iter().flat_map(|branch| branch.max_u_p.iter().copied());
+        let orbits = self.branches().iter().flat_map(|branch| {
+            let shown = (0..branch.value.len()).filter(|&at| !steep(branch, at));
+            shown.map(|at| branch.max_u_p[at])
+        });
         orbits.chain(self.tori.iter().map(|torus| torus.max_u_p)).fold(0.0, f64::max)
     }
 
-    /// Greatest `|u_p|` of the stable orbits of period `2T`, or of the stable torus, at a mesh frequency, between the
-    /// computed ones.
-    pub(super) fn stable_size(&self, omega: f64) -> Option<f64> {
-        let orbits = self.branches().iter().filter(|branch| branch.period > 1).filter_map(|branch| {
-            let place = (1..branch.value.len()).find(|&after| {
-                let (one, other) = (branch.value[after - 1], branch.value[after]);
-                (one - omega) * (other - omega) <= 0.0 && branch.stable[after - 1] && branch.stable[after]
+    /// Height of the stable orbits that are born from the steady response at a place on the axis, between the computed
+    /// ones; the first such place along a branch.
+    pub(super) fn stable_at(&self, x: f64, place: Place) -> Option<f64> {
+        let orbits = self.branches().iter().enumerate();
+        let orbits = orbits.filter(|(index, branch)| branch.period > 1 && self.born_at_rest(*index));
+        let heights = orbits.filter_map(|(index, branch)| {
+            let at = |point: usize| place(index, Spot::Point(point));
+            let after = (1..branch.value.len()).find(|&after| {
+                let both = branch.stable[after - 1] && branch.stable[after];
+                both && (at(after - 1)[0] - x) * (at(after)[0] - x) <= 0.0
             })?;
-            let (one, other) = (branch.value[place - 1], branch.value[place]);
-            let part = if other == one { 0.0 } else { (omega - one) / (other - one) };
-            Some(branch.max_u_p[place - 1] + part * (branch.max_u_p[place] - branch.max_u_p[place - 1]))
+            let (one, other) = (at(after - 1), at(after));
+            let part = if other[0] == one[0] { 0.0 } else { (x - one[0]) / (other[0] - one[0]) };
+            Some(one[1] + part * (other[1] - one[1]))
         });
-        orbits.reduce(f64::max)
+        heights.filter(|height| height.is_finite()).reduce(f64::max)
     }
 
-    /// Draws everything so far into a frame; `name` sets it apart from another drawing of the same kind.
-    pub(super) fn draw(&self, composer: &mut Composer, frame: usize, name: &str, place: Place, marks: bool) {
+    /// Whether a branch is born from the steady response.
+    fn born_at_rest(&self, index: usize) -> bool {
+        self.diagram().is_some_and(|diagram| matches!(diagram.from.get(index), Some(Some((0, _)))))
+    }
+
+    /// Whether a branch has its name on it: those born from the steady response, and longer ones.
+    fn named(&self, index: usize) -> bool {
+        let period = self.branches()[index].period;
+        period > 2 || (period == 2 && self.born_at_rest(index))
+    }
+
+    /// The place from mesh frequency and greatest `|u_p|`.
+    pub(super) fn by_size(&self, index: usize, spot: Spot) -> [f64; 3] {
+        let (omega, _, size) = spot.of(&self.branches()[index]);
+        [omega, size, 0.0]
+    }
+
+    /// Draws everything so far into a frame.
+    pub(super) fn draw(&self, composer: &mut Composer, frame: usize, style: &Style) {
         for (index, branch) in self.branches().iter().enumerate() {
             let period = if branch.period == 1 { "*T*".to_owned() } else { format!("{}*T*", branch.period) };
             for stable in [true, false] {
-                let points = stretches(branch, stable, place);
+                let mut points = Points::default();
+                for stretch in stretches(branch, stable) {
+                    let places = stretch.into_iter().map(|spot| match spot {
+                        Spot::Point(at) if steep(branch, at) => [f64::NAN; 3],
+                        spot => (style.place)(index, spot),
+                    });
+                    if style.space {
+                        points.piece_in_space(places.map(|[x, y, z]| (x, y, z)));
+                    } else {
+                        points.piece(places.map(|[x, y, _]| (x, y)));
+                    }
+                }
                 let word = if stable { "stable" } else { "unstable" };
                 let meaning = format!("exact motion of period {}T, {word}", branch.period);
-                let line = Line::new(format!("exact{name} {} {word}", index + 1), meaning, Role::Exact)
-                    .stable(stable);
+                let line =
+                    Line::new(format!("exact{} {} {word}", style.name, index + 1), meaning, Role::Exact)
+                        .stable(stable);
                 // The steady response needs no name on its line, and a branch only one.
-                let labelled = branch.period > 1 && stable;
+                let labelled = style.marked && stable && self.named(index);
                 let line = if labelled { line.label(&format!("exact, {period}"), 0.6) } else { line };
                 composer.curve(frame, line, points);
             }
         }
-        self.draw_tori(composer, frame, name, place);
-        if marks {
-            self.draw_events(composer, frame, name, place);
+        if style.marked {
+            self.draw_events(composer, frame, style);
         }
     }
 
-    fn draw_tori(&self, composer: &mut Composer, frame: usize, name: &str, place: Place) {
+    /// Draws the tori, as greatest `|u_p|` over the mesh frequency.
+    pub(super) fn draw_tori(&self, composer: &mut Composer, frame: usize) {
         let mut tori = self.tori.clone();
         tori.extend(self.births());
         tori.sort_unstable_by(|one, other| one.omega.total_cmp(&other.omega));
         for stable in [true, false] {
             let mut points = Points::default();
             points.piece(tori.iter().map(|torus| {
-                if torus.stable == stable { place(torus.omega, torus.max_u_p) } else { (f64::NAN, f64::NAN) }
+                if torus.stable == stable { (torus.omega, torus.max_u_p) } else { (f64::NAN, f64::NAN) }
             }));
             let word = if stable { "stable" } else { "unstable" };
             let line =
-                Line::new(format!("torus{name} {word}"), format!("exact torus, {word}"), Role::QuasiPeriodic);
+                Line::new(format!("torus {word}"), format!("exact torus, {word}"), Role::QuasiPeriodic);
             composer.curve(frame, line.stable(stable).label("exact, torus", 0.4), points);
         }
     }
@@ -199,15 +317,20 @@ impl Exact {
         .collect()
     }
 
-    fn draw_events(&self, composer: &mut Composer, frame: usize, name: &str, place: Place) {
-        let mut all: Vec<&BranchEvent> = self.branches().iter().flat_map(|branch| &branch.events).collect();
+    fn draw_events(&self, composer: &mut Composer, frame: usize, style: &Style) {
+        let mut all: Vec<(&BranchEvent, [f64; 3])> = Vec::new();
+        for (index, branch) in self.branches().iter().enumerate() {
+            let shown = |event: &BranchEvent| !steep(branch, event.after.min(branch.value.len() - 1));
+            let events = branch.events.iter().enumerate().filter(|(_, event)| shown(event));
+            all.extend(events.map(|(at, event)| (event, (style.place)(index, Spot::Event(at)))));
+        }
         // Where a branch is born both it and its parent have the event; the parent's says of which kind it is.
         let known: Vec<(f64, f64)> = all
             .iter()
-            .filter(|event| event.supercritical.is_some())
-            .map(|event| (event.value, event.max_u_p))
+            .filter(|(event, _)| event.supercritical.is_some())
+            .map(|(event, _)| (event.value, event.max_u_p))
             .collect();
-        all.retain(|event| {
+        all.retain(|(event, _)| {
             event.supercritical.is_some()
                 || !known.iter().any(|(value, size)| {
                     (value - event.value).abs() < 1e-5 && (size - event.max_u_p).abs() < 1e-3
@@ -215,24 +338,27 @@ impl Exact {
         });
         for (role, word, label, belongs) in EVENTS {
             let mut points = Points::default();
-            let places =
-                all.iter().filter(|event| belongs(event)).map(|event| place(event.value, event.max_u_p));
+            let places = all.iter().filter(|(event, _)| belongs(event)).map(|(_, place)| *place);
             let mut seen: Vec<(f64, f64)> = Vec::new();
-            for (x, y) in places {
+            for [x, y, _] in places {
                 // Where a branch is born both it and its parent have the event.
                 if !seen.iter().any(|(u, v)| (u - x).abs() < 1e-5 && (v - y).abs() < 1e-4) {
                     seen.push((x, y));
                 }
             }
             points.cloud(seen);
-            let line = Line::new(format!("{word}{name}"), format!("exact: {word}"), role).label(label, 0.0);
+            let line =
+                Line::new(format!("{word}{}", style.name), format!("exact: {word}"), role).label(label, 0.0);
             composer.add(frame, Mark::Marks, line, points);
         }
     }
 }
 
+/// Role, name, label, and which events they are for.
+type Look = (Role, &'static str, &'static str, fn(&BranchEvent) -> bool);
+
 /// The kinds of events: how they are drawn, what they are called, which they are.
-const EVENTS: [(Role, &str, &str, fn(&BranchEvent) -> bool); 8] = [
+const EVENTS: [Look; 8] = [
     (Role::Fold, "fold", "fold", |event| event.kind == EventKind::Fold),
     (Role::TorusBifurcation, "torus bifurcation", "torus", |event| event.kind == EventKind::NeimarkSacker),
     (Role::AcrossManifold, "across the manifold", "across", |event| {
@@ -259,14 +385,16 @@ const EVENTS: [(Role, &str, &str, fn(&BranchEvent) -> bool); 8] = [
 
 /// The stretches of a branch of one stability. They meet at the bifurcation between them or, where that is not known,
 /// at the first point of the next.
-fn stretches(branch: &Branch, stable: bool, place: Place) -> Points {
-    let mut points = Points::default();
+fn stretches(branch: &Branch, stable: bool) -> Vec<Vec<Spot>> {
+    let mut all = Vec::new();
     let count = branch.value.len();
     // Between a point and the next.
     let joint = |after: usize| {
-        let event =
-            branch.events.iter().find(|event| event.after == after && event.kind != EventKind::Grazing);
-        event.map(|event| place(event.value, event.max_u_p))
+        let found = branch
+            .events
+            .iter()
+            .position(|event| event.after == after && event.kind != EventKind::Grazing)?;
+        Some(Spot::Event(found))
     };
     let mut start = 0;
     while start < count {
@@ -274,15 +402,10 @@ fn stretches(branch: &Branch, stable: bool, place: Place) -> Points {
         let end = (start..count).find(|&at| branch.stable[at] != kind).unwrap_or(count);
         if kind == stable {
             let before = if start > 0 { joint(start - 1) } else { None };
-            let after = if end < count {
-                joint(end - 1).or_else(|| Some(place(branch.value[end], branch.max_u_p[end])))
-            } else {
-                None
-            };
-            let own = (start..end).map(|at| place(branch.value[at], branch.max_u_p[at]));
-            points.piece(before.into_iter().chain(own).chain(after));
+            let after = if end < count { joint(end - 1).or(Some(Spot::Point(end))) } else { None };
+            all.push(before.into_iter().chain((start..end).map(Spot::Point)).chain(after).collect());
         }
         start = end;
     }
-    points
+    all
 }

@@ -177,7 +177,19 @@ impl ExponentPaths {
         ];
         let margin = 0.35 * (places[1] - places[0]);
         let range = ((places[0] - margin).max(0.5 * places[0]), places[2] + margin);
-        let mut waiting: Vec<f64> = even(range.0, range.1, COARSE).chain(places).collect();
+        Ok(Self::over(parameters, setting, places, range, COARSE))
+    }
+
+    /// The same over a range of mesh frequencies.
+    pub(super) fn over(
+        parameters: &Parameters,
+        setting: Setting,
+        places: [f64; 3],
+        range: (f64, f64),
+        count: usize,
+    ) -> Self {
+        let inside = places.into_iter().filter(|place| range.0 < *place && *place < range.1);
+        let mut waiting: Vec<f64> = even(range.0, range.1, count).chain(inside).collect();
         if parameters.omega > range.0 && parameters.omega < range.1 {
             waiting.push(parameters.omega);
         }
@@ -192,7 +204,7 @@ impl ExponentPaths {
             error: 0.0,
             ..*parameters
         };
-        Ok(Self {
+        Self {
             setting,
             parameters: unloaded,
             places,
@@ -202,7 +214,7 @@ impl ExponentPaths {
             stage: Stage::Coarse,
             error: ErrorEstimate::default(),
             method: String::new(),
-        })
+        }
     }
 
     fn next_stage(&mut self) -> Result<(), FigureError> {

@@ -32,6 +32,8 @@ impl ExponentPaths {
         }
         if let (done, Some(left)) = self.progress() {
             notes.push(format!("{done} frequencies computed, {left} to go."));
+        } else {
+            notes.extend(self.edges_apart());
         }
         Figure {
             summary: self.summary(parameters.omega),
@@ -40,6 +42,31 @@ impl ExponentPaths {
             notes,
             ..Figure::drawn(id, parameters, self.drawing(&tracks, parameters.omega))
         }
+    }
+
+    /// The distance of the first-order edges from the exact ones between which they lie.
+    fn edges_apart(&self) -> Vec<String> {
+        let (modes, symmetric) = (&self.setting.modes, &self.setting.symmetric);
+        let exact = self.intervals();
+        let formulas = [
+            ("second mode [T5]", primary_edges(modes, Mode::Second, symmetric)),
+            ("combination [T6]", combination_edges(modes, symmetric)),
+            ("third mode [T5]", primary_edges(modes, Mode::Third, symmetric)),
+        ];
+        let pairs = formulas.into_iter().zip(self.places).filter_map(|((name, edges), place)| {
+            let edges = edges?;
+            let (left, right, _) = exact.iter().find(|(left, right, kind)| {
+                *kind != Kind::Stable && *left < edges.right.max(place) && *right > edges.left.min(place)
+            })?;
+            Some(format!(
+                "Edges of the {name}: exact {} and {}, the formula is off by {} and {}.",
+                number(*left, 6),
+                number(*right, 6),
+                number(edges.left - left, 2),
+                number(edges.right - right, 2)
+            ))
+        });
+        pairs.collect()
     }
 
     fn damped(&self) -> bool {

@@ -1,9 +1,13 @@
 //! A figure, computed at once or step by step.
 
 use super::basins::Basins;
+use super::beside::{Beside, Part};
 use super::branches::Branches;
 use super::compose::Composer;
 use super::errata::Errata;
+use super::exact_cycles::Cycles;
+use super::exact_exponents::Exponents;
+use super::exact_pitchforks::Pitchforks;
 use super::exponents::ExponentPaths;
 use super::load::Loads;
 use super::multiplier_paths::MultiplierPaths;
@@ -161,7 +165,19 @@ impl Job {
     pub fn new(id: &str, given: &[(String, Value)]) -> Result<Self, FigureError> {
         let specification = specification(id)?;
         let parameters = specification.with(given)?;
+        let beside = |formulas: Figure, part: Box<dyn Part>| {
+            Work::Slices(Box::new(Beside::new(formulas, part)) as Box<dyn Slices>)
+        };
+        let p = &parameters;
         let work = match specification.id {
+            "3" => {
+                beside(pitchfork::figure("3", p, Mode::Second)?, Box::new(Pitchforks::new(p, Mode::Second)?))
+            }
+            "5" => {
+                beside(pitchfork::figure("5", p, Mode::Third)?, Box::new(Pitchforks::new(p, Mode::Third)?))
+            }
+            "6" => beside(eigenvalues::figure("6", p)?, Box::new(Exponents::new(p)?)),
+            "7" => beside(hopf::figure("7", p)?, Box::new(Cycles::new(p)?)),
             "9" => Work::Slices(Box::new(Overall::new("9", &parameters, Supports::Hardening)?)),
             "10" => Work::Slices(Box::new(Overall::new("10", &parameters, Supports::Softening)?)),
             "A" => Work::Slices(Box::new(Basins::new(&parameters)?)),
@@ -207,11 +223,7 @@ fn at_once(id: &'static str, parameters: &Parameters) -> Result<Figure, FigureEr
     match id {
         "1" => schematic::figure(id, parameters),
         "2" => determinant::figure(id, parameters, Mode::Second),
-        "3" => pitchfork::figure(id, parameters, Mode::Second),
         "4" => determinant::figure(id, parameters, Mode::Third),
-        "5" => pitchfork::figure(id, parameters, Mode::Third),
-        "6" => eigenvalues::figure(id, parameters),
-        "7" => hopf::figure(id, parameters),
         "14a" | "14b" => response::figure(id, parameters),
         "T" => stability::figure(id, parameters),
         other => Err(FigureError::UnknownFigure { given: other.to_owned() }),

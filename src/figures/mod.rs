@@ -4,12 +4,17 @@
 //! drawing is finite, whatever the parameters within their ranges.
 
 mod basins;
+mod beside;
 mod branches;
 mod compose;
 mod determinant;
 mod eigenvalues;
 mod errata;
 mod exact;
+mod exact_cycles;
+mod exact_exponents;
+mod exact_map;
+mod exact_pitchforks;
 mod exponents;
 mod exponents_picture;
 mod gearing;

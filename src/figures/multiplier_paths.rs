@@ -133,7 +133,9 @@ impl MultiplierPaths {
         let mut before: Option<[Place; 6]> = None;
         for (_, all) in samples {
             let Some(all) = all else {
-                tracks.iter_mut().for_each(|track| track.push((f64::NAN, f64::NAN)));
+                for track in &mut tracks {
+                    track.push((f64::NAN, f64::NAN));
+                }
                 before = None;
                 continue;
             };

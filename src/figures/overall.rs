@@ -1,7 +1,8 @@
 //! Figures 9 and 10: all first-order branches over the mesh frequency.
 
+use super::beside::{apart, farthest};
 use super::compose::{Composer, Line, Points, axis, number, plane};
-use super::exact::Exact;
+use super::exact::{Exact, Spot, Style};
 use super::hopf;
 use super::job::{Figure, Slices, formula};
 use super::pitchfork::no_branches;
@@ -91,6 +92,9 @@ struct Drawn {
 /// Longest period of the exact motions beside the formulas, mesh periods.
 const LONGEST: usize = 2;
 
+/// Most branches of them.
+const MOST: usize = 24;
+
 /// Figure 9 or 10 in the making: the formulas at once, the exact motions as they are computed.
 #[derive(Debug)]
 pub(super) struct Overall {
@@ -120,8 +124,14 @@ impl Overall {
             ..*parameters
         };
         let (low, high) = Tongues::of(&setting).range();
-        let exact = Exact::new(&p, (low.max(0.3 * high.min(1.0)), high), LONGEST, false);
+        let exact = Exact::new(&p, (low.max(0.3 * high.min(1.0)), high), LONGEST, MOST);
         Ok(Self { formulas, exact })
+    }
+
+    /// Half of the greatest `|u_p|`, which the formulas call `R`, over the mesh frequency.
+    fn place(&self, index: usize, spot: Spot) -> [f64; 3] {
+        let [omega, size, _] = self.exact.by_size(index, spot);
+        [omega, 0.5 * size, 0.0]
     }
 
     /// Where the formula of the stable motion and the exact one are furthest apart.
@@ -129,23 +139,10 @@ impl Overall {
         let stable = self.formulas.drawing.series.iter().filter(|series| {
             series.role == Role::Corrected && series.stable == Some(true) && series.name.starts_with("R_")
         });
-        let mut farthest: Option<(f64, f64, f64)> = None;
-        for series in stable.filter(|series| !series.name.contains("cycle")) {
-            for (omega, radius) in series.x.iter().zip(&series.y) {
-                let Some(exact) = self.exact.stable_size(*omega) else { continue };
-                if farthest.is_none_or(|(_, one, other)| (radius - 0.5 * exact).abs() > (one - other).abs()) {
-                    farthest = Some((*omega, *radius, 0.5 * exact));
-                }
-            }
-        }
-        farthest.map(|(omega, radius, exact)| {
-            format!(
-                "Furthest apart at Omega = {}: the formula says R = {}, the exact motion has {}.",
-                number(omega, 4),
-                number(radius, 4),
-                number(exact, 5)
-            )
-        })
+        let found = farthest(stable.filter(|series| !series.name.contains("cycle")), &|omega| {
+            self.exact.stable_at(omega, &|index, spot| self.place(index, spot))
+        })?;
+        Some(apart("Omega", found))
     }
 }
 
@@ -157,7 +154,8 @@ impl Slices for Overall {
     fn figure(&self, _: &'static str, _: &Parameters) -> Figure {
         let mut figure = self.formulas.clone();
         let mut composer = Composer::on(figure.drawing);
-        self.exact.draw(&mut composer, 0, "", &|omega, size| (omega, 0.5 * size), true);
+        let place = &|index: usize, spot: Spot| self.place(index, spot);
+        self.exact.draw(&mut composer, 0, &Style { name: "", place, space: false, marked: true });
         figure.drawing = composer.drawing();
         figure.notes.extend(self.exact.notes());
         figure.notes.extend(self.farthest());

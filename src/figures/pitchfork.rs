@@ -12,7 +12,7 @@ use crate::theory::modes::Mode;
 use crate::theory::primary::{Branch, emanating_frequency, half_width, radius_squared};
 
 /// How far the axis reaches, in half-widths of the tongue.
-const REACH: f64 = 2.2;
+pub(super) const REACH: f64 = 2.2;
 
 /// The words and numbers that tell the two figures apart.
 struct Names {

@@ -1,6 +1,7 @@
 //! Figures 11-13: stroboscopic maps, which fill in as they are computed.
 
 use super::compose::{Composer, Line, Points, axis, number, plane};
+use super::exact_map::{ExactMap, Sought};
 use super::job::{Figure, Slices};
 use crate::chart::drawing::{Drawing, Mark, Role};
 use crate::error::FigureError;
@@ -30,10 +31,10 @@ const LONGEST: usize = 4;
 const TRANSIENT: f64 = 0.6;
 /// Tolerance of the integration.
 const TOLERANCE: f64 = 1e-10;
-/// Cells along each axis in which a second point is not drawn: a third of a pixel of an ordinary picture.
-const CELLS: f64 = 2000.0;
+/// Cells along each axis in which a second point is not drawn: two thirds of a pixel of an ordinary picture.
+const CELLS: f64 = 1000.0;
 /// The same for transients, which are light and wide apart.
-const SPARSE: f64 = 1000.0;
+const SPARSE: f64 = 800.0;
 
 /// What the fixed point in the middle is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,6 +119,8 @@ pub(super) struct Map {
     tracks: Vec<Track>,
     attractors: Vec<Attractor>,
     turn: usize,
+    /// Where starts can be expected to end, once they have.
+    exact: Option<ExactMap>,
 }
 
 impl Slices for Map {
@@ -127,23 +130,35 @@ impl Slices for Map {
         }
         let mut left = SLICE;
         while left > 0 {
-            let Some(index) = self.next_open() else { return Ok(true) };
+            let Some(index) = self.next_open() else { break };
             let share = left.min(100);
             self.follow(index, share)?;
             left -= share;
         }
-        Ok(self.tracks.iter().all(|track| track.end.is_some()))
+        if left == SLICE && self.exact.is_none() {
+            self.exact = self.sought().map(|sought| ExactMap::new(&self.parameters, sought));
+            return Ok(true);
+        }
+        Ok(self.finished() && (self.exact.is_some() || self.sought().is_none()))
     }
 
     fn figure(&self, id: &'static str, parameters: &Parameters) -> Figure {
         let Some(centre) = &self.centre else { return Figure::waiting(id, parameters) };
-        let error = self.attractors.first().map_or(centre.error, |attractor| attractor.orbit.error);
+        let of_orbit = || self.attractors.first().map_or(centre.error, |attractor| attractor.orbit.error);
+        let mut method =
+            "Taylor series from period to period to 1e-10; multipliers and orbits by the variational equations"
+                .to_owned();
+        if let Some(exact) = &self.exact {
+            method.push_str("; exact: ");
+            method.push_str(exact.method());
+        }
+        let mut notes = self.notes(centre);
+        notes.extend(self.exact.as_ref().map(ExactMap::note));
         Figure {
             summary: self.summary(centre),
-            method: "Taylor series from period to period to 1e-10; multipliers and orbits by the variational equations"
-                .to_owned(),
-            error,
-            notes: self.notes(centre),
+            method,
+            error: self.exact.as_ref().and_then(ExactMap::error).unwrap_or_else(of_orbit),
+            notes,
             ..Figure::drawn(id, parameters, self.drawing(centre))
         }
     }
@@ -151,7 +166,23 @@ impl Slices for Map {
 
 impl Map {
     pub(super) fn new(parameters: &Parameters) -> Self {
-        Self { parameters: *parameters, centre: None, tracks: Vec::new(), attractors: Vec::new(), turn: 0 }
+        Self {
+            parameters: *parameters,
+            centre: None,
+            tracks: Vec::new(),
+            attractors: Vec::new(),
+            turn: 0,
+            exact: None,
+        }
+    }
+
+    /// What is born where the fixed point in the middle loses its stability like this.
+    fn sought(&self) -> Option<Sought> {
+        match self.centre.as_ref().map(Centre::of) {
+            Some(Centre::FlipSaddle) => Some(Sought::Points),
+            Some(Centre::Spiral) => Some(Sought::Circle),
+            _ => None,
+        }
     }
 
     /// The equations are unchanged by `u -> -u`: every start stands for its mirror image too.
@@ -361,6 +392,9 @@ impl Map {
         let line = Line::new("limit cycle", "the closed curve on which the points stay", Role::Attractor);
         composer.add(frame, Mark::Cloud, line.label("limit cycle", 0.3), late);
         self.mark_attractors(&mut composer, frame, kind);
+        if let Some(exact) = &self.exact {
+            exact.draw(&mut composer, frame);
+        }
         let line =
             Line::new("fixed point", format!("the fixed point in the middle: {}", kind.name()), kind.role());
         let line = line.stable(kind == Centre::Stable).label(kind.name(), 0.5);

@@ -82,6 +82,7 @@ const fn branches(id: &'static str, title: &'static str, caption: &'static str) 
         preset: MAGNITUDE,
         turnable: true,
         aspect: 1.25,
+        heavy: true,
         ..BLANK
     }
 }
@@ -149,15 +150,16 @@ static SPECIFICATIONS: [Specification; 28] = [
         "2",
         "Determinants in the tongue of the second mode",
         "Determinant of the slow flow's Jacobian at its equilibria, (68)–(70): above zero a centre, below zero a \
-            saddle. The stars at *Ω*_{L} and *Ω*_{R} mark the pitchforks, where two of the curves meet on the axis.",
+            saddle. The stars at *Ω*_{L} and *Ω*_{R} mark the pitchforks, where two of the curves meet on the axis; the \
+            blue dots are the exact edges, with damping and without.",
     ),
     branches(
         "3",
         "Pitchforks in the tongue of the second mode",
         "Amplitude *R*_{B} of the second mode over the detuning *Ω*_{1} = (*Ω* − *Ω*_{0})/*k*_{0}, for hardening (+*α*) and \
             softening (−*α*) supports, as a plane diagram and in space. Grey: the paper's (62)–(64), without damping; \
-            green: with damping. Solid is stable, dashed unstable; the green star is a supercritical pitchfork, the \
-            yellow star a subcritical one.",
+            green: with damping; blue and vermilion: exact. Solid is stable, dashed unstable; the green star is a \
+            supercritical pitchfork, the yellow star a subcritical one.",
     ),
     determinants(
         "4",
@@ -169,16 +171,19 @@ static SPECIFICATIONS: [Specification; 28] = [
         "5",
         "Pitchforks in the tongue of the third mode",
         "The same as figure 3 for the third mode: amplitude *R*_{C} over *Ω*_{1} for hardening and softening supports. \
-            Grey: the paper's (87)–(89), without damping; green: with damping, which narrows this tongue by much more.",
+            Grey: the paper's (87)–(89), without damping; green: with damping, which narrows this tongue by much more; \
+            blue and vermilion: exact.",
     ),
     Specification {
         id: "6",
         title: "Eigenvalues at the origin in the combination tongue",
         caption: "Real and imaginary parts of the slow flow's four eigenvalues at the origin over *Ω*_{1}. Grey: (111) \
             as printed, on the paper's scale; thin green: with the time scale of each mode, so that they are growth \
-            rates; bold green: with damping as well. Stars mark the Hopf points of each.",
+            rates; bold green: with damping as well. Stars mark the Hopf points of each. Blue and vermilion: exact, from \
+            the multipliers; diamonds: the exact edges.",
         parameters: LINEAR,
         aspect: 1.7,
+        heavy: true,
         ..BLANK
     },
     branches(
@@ -186,7 +191,7 @@ static SPECIFICATIONS: [Specification; 28] = [
         "Hopf bifurcations in the combination tongue",
         "Radii *R*_{B} and *R*_{C} of the limit cycles over *Ω*_{1}, for hardening and softening supports, and the cycles \
             in space. With damping (green) a stable cycle is born at the supercritical edge and goes on beyond the other \
-            edge, where an unstable one is born. Grey: the nontrivial solutions of (106)–(109) as printed.",
+            edge, where an unstable one is born. Grey: the nontrivial solutions of (106)–(109) as printed; blue: exact tori.",
     ),
     Specification {
         id: "8",

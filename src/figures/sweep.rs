@@ -64,7 +64,7 @@ impl Way {
         self.done.push(sweep);
         match rest {
             Some(rest) if self.done.len() <= MOST_ESCAPES => {
-                self.work = Self::begin(p, rest, self.direction)?
+                self.work = Self::begin(p, rest, self.direction)?;
             }
             _ => self.finished = true,
         }

@@ -35,3 +35,16 @@ pub struct ErrorEstimate {
     /// Residual of the equation that was solved.
     pub residual: Option<f64>,
 }
+
+impl ErrorEstimate {
+    /// The greater of each of two.
+    #[must_use]
+    pub fn worse(self, other: Self) -> Self {
+        let greater = |one: Option<f64>, other: Option<f64>| one.into_iter().chain(other).reduce(f64::max);
+        Self {
+            liouville: greater(self.liouville, other.liouville),
+            step: greater(self.step, other.step),
+            residual: greater(self.residual, other.residual),
+        }
+    }
+}
