@@ -48,7 +48,7 @@ impl Basins {
                     AttractorKind::Orbit { period } => period.min(64),
                     AttractorKind::Torus => 1,
                 };
-                (0..phases).map(move |phase| (index as i32, phase as u8))
+                (0..phases).map(move |phase| (i32::try_from(index).unwrap_or(i32::MAX), phase as u8))
             })
             .collect();
         regions.truncate(200);
@@ -142,7 +142,7 @@ impl Basins {
             .iter()
             .enumerate()
             .map(|(index, attractor)| {
-                let share = Self::share(basin, |found| found == index as i32);
+                let share = Self::share(basin, |found| usize::try_from(found) == Ok(index));
                 let kind = match attractor.kind {
                     AttractorKind::Orbit { period } => format!("a motion of period {period}T"),
                     AttractorKind::Torus => "a motion that never repeats".to_owned(),

@@ -6,6 +6,7 @@ use super::tongue_range::range;
 use crate::chart::drawing::{Drawing, Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::{Parameters, Regime};
+use crate::study::ErrorEstimate;
 use crate::study::contact::{ContactMargin, contact_margin, least_load};
 use crate::study::sweep::at_frequency;
 use crate::study::time_response::{TimeResponse, TimeResponseOptions, time_response};
@@ -220,7 +221,7 @@ impl Slices for Loads {
             Some(Ok((margin, _))) => (margin.method.clone(), margin.error),
             _ => (
                 "periodic response in permanent contact, followed from a large load".to_owned(),
-                Default::default(),
+                ErrorEstimate::default(),
             ),
         };
         Figure {

@@ -164,7 +164,7 @@ fn unexplained(chart: &StabilityChart, found: &[Found]) -> Vec<f64> {
         }
         column = end.max(column) + 1;
     }
-    stretches.sort_unstable_by(|one, other| other.0.cmp(&one.0));
+    stretches.sort_unstable_by_key(|stretch| std::cmp::Reverse(stretch.0));
     stretches.into_iter().map(|stretch| stretch.1).collect()
 }
 
@@ -204,12 +204,14 @@ fn drawing(p: &Parameters, chart: &StabilityChart, found: &[Found], grows: bool)
     composer.drawing()
 }
 
+/// The edges of a tongue at a depth of the pulsation, with damping; none where it is closed.
+type Damped<'a> = &'a dyn Fn(f64) -> Option<Edges>;
+
 /// The tongues to first order: straight as printed, with damping as hyperbolas.
 fn first_order(composer: &mut Composer, frame: usize, setting: &Setting) {
     let modes = &setting.modes;
     let symmetric = &setting.symmetric;
     let at = |k0: f64| Symmetric { k0, ..*symmetric };
-    type Damped<'a> = &'a dyn Fn(f64) -> Option<Edges>;
     let second = |k0: f64| primary_edges(modes, Mode::Second, &at(k0));
     let sum = |k0: f64| combination_edges(modes, &at(k0));
     let third = |k0: f64| primary_edges(modes, Mode::Third, &at(k0));

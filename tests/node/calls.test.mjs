@@ -103,7 +103,8 @@ test("multipliers() to 1e-9 of the reference, equal and unequal supports", () =>
     const tolerance = params.zeta === 0 ? 1e-8 : 1e-9; // Undamped, double multipliers on the circle split by sqrt(eps).
     assert.ok(multiplierDistance(found, multipliers) < tolerance, JSON.stringify(params));
     const moduli = Array.from(found.re, (re, i) => Math.hypot(re, found.im[i]));
-    assert.deepEqual(moduli, [...moduli].sort((x, y) => y - x), "largest first");
+    // Undamped, all moduli are 1 but for rounding, which orders them otherwise than we can measure them here.
+    assert.ok(moduli.every((modulus, i) => i === 0 || modulus <= moduli[i - 1] * (1 + 1e-14)), "largest first");
     close(found.spectralRadius, moduli[0], 1e-12, "spectralRadius");
     assert.equal(found.stable, moduli[0] <= 1 + 1e-9);
     assert.deepEqual(Array.from(found.state), [0, 0, 0, 0, 0, 0]);
