@@ -9,7 +9,7 @@ use crate::study::ErrorEstimate;
 use crate::study::branch::{Branch, BranchEvent, Breaks, EventKind};
 use crate::study::diagram::{Diagram, DiagramOptions, DiagramWork};
 use crate::study::sweep::at_frequency;
-use crate::study::torus::torus;
+use crate::study::torus::TorusWork;
 
 /// Tolerance of orbits and tori.
 const TOLERANCE: f64 = 1e-9;
@@ -39,6 +39,8 @@ pub(super) struct Exact {
     work: Option<DiagramWork>,
     /// Mesh frequencies of tori to come, once all of the orbits are there.
     waiting: Option<Vec<f64>>,
+    /// The torus that is being looked for, and where.
+    search: Option<(f64, TorusWork)>,
     tori: Vec<Size>,
     of_tori: ErrorEstimate,
     /// Why there are no branches, where there are none.
@@ -98,6 +100,7 @@ impl Exact {
             begun: false,
             work: None,
             waiting: None,
+            search: None,
             tori: Vec::new(),
             of_tori: ErrorEstimate::default(),
             refused: None,
@@ -136,10 +139,17 @@ impl Exact {
             }
             return Ok(false);
         }
-        let Some(omega) = self.waiting.as_mut().and_then(Vec::pop) else { return Ok(true) };
-        // One torus a slice, each from a motion: to follow them from one to the next takes longer where they end. Where
-        // there is no torus the line ends.
-        if let Ok(found) = torus(&at_frequency(&self.parameters, omega), TORUS) {
+        let Some((omega, search)) = &mut self.search else {
+            let Some(omega) = self.waiting.as_mut().and_then(Vec::pop) else { return Ok(true) };
+            // Each from a motion: to follow them from one to the next takes longer where they end.
+            self.search = Some((omega, TorusWork::new(&at_frequency(&self.parameters, omega), TORUS)?));
+            return Ok(false);
+        };
+        let omega = *omega;
+        let Some(answer) = search.advance() else { return Ok(false) };
+        self.search = None;
+        // Where there is no torus the line ends.
+        if let Ok(found) = answer {
             self.tori.push(Size { omega, max_u_p: found.max_u_p, stable: found.stable });
             self.of_tori = self.of_tori.worse(found.error);
         }

@@ -10,7 +10,7 @@ use crate::model::parameters::Parameters;
 use crate::study::ErrorEstimate;
 use crate::study::sweep::at_frequency;
 use crate::study::tongue::Tongue;
-use crate::study::torus::{Torus, torus};
+use crate::study::torus::{Torus, TorusWork};
 use crate::theory::combination::emanating_frequency;
 use crate::theory::damped::combination_half_width;
 use crate::theory::modes::Mode;
@@ -43,6 +43,8 @@ pub(super) struct Cycles {
     edges: Option<[f64; 2]>,
     /// What is to come, the next at the end.
     waiting: Option<Vec<(Supports, f64)>>,
+    /// The torus that is being looked for, and where.
+    search: Option<(Supports, f64, TorusWork)>,
     found: Vec<(Supports, Found)>,
     error: ErrorEstimate,
 }
@@ -58,6 +60,7 @@ impl Cycles {
             omega_0: emanating_frequency(&setting.modes),
             edges: None,
             waiting: None,
+            search: None,
             found: Vec::new(),
             error: ErrorEstimate::default(),
         })
@@ -81,12 +84,16 @@ impl Cycles {
         Ok(all)
     }
 
-    /// The torus at one place; none where there is none.
-    fn at(&self, supports: Supports, omega_1: f64) -> Result<Option<(Found, Torus)>, FigureError> {
+    /// The parameters at one place.
+    fn parameters_at(&self, supports: Supports, omega_1: f64) -> Parameters {
         let omega = self.omega_0 + self.parameters.k0 * omega_1;
         let alpha = supports.sign() * self.parameters.alpha_p;
-        let p = at_frequency(&unloaded(&self.parameters, alpha), omega);
-        let Ok(torus) = torus(&p, TOLERANCE) else { return Ok(None) };
+        at_frequency(&unloaded(&self.parameters, alpha), omega)
+    }
+
+    /// Radii of the torus at one place.
+    fn measured(&self, torus: &Torus, supports: Supports, omega_1: f64) -> Result<Found, FigureError> {
+        let p = self.parameters_at(supports, omega_1);
         let (mut sums, mut count) = ([0.0; 2], 0.0);
         for state in torus.curve.iter().step_by(SPARSE) {
             sampled(&p, *state, 1.0, SAMPLES, &mut |_, state| {
@@ -97,7 +104,7 @@ impl Cycles {
             })?;
         }
         let radii = sums.map(|sum: f64| (2.0 * sum / count).sqrt());
-        Ok(Some((Found { omega_1, radii, stable: torus.stable }, torus)))
+        Ok(Found { omega_1, radii, stable: torus.stable })
     }
 
     /// The exact radius of one mode between the computed ones, and zero at the edge.
@@ -128,9 +135,18 @@ impl Part for Cycles {
             self.waiting = Some(self.begin()?);
             return Ok(false);
         };
-        let Some((supports, omega_1)) = waiting.pop() else { return Ok(true) };
-        if let Some((found, torus)) = self.at(supports, omega_1)? {
+        let Some((supports, omega_1, search)) = &mut self.search else {
+            let Some((supports, omega_1)) = waiting.pop() else { return Ok(true) };
+            let search = TorusWork::new(&self.parameters_at(supports, omega_1), TOLERANCE)?;
+            self.search = Some((supports, omega_1, search));
+            return Ok(false);
+        };
+        let (supports, omega_1) = (*supports, *omega_1);
+        let Some(answer) = search.advance() else { return Ok(false) };
+        self.search = None;
+        if let Ok(torus) = answer {
             self.error = self.error.worse(torus.error);
+            let found = self.measured(&torus, supports, omega_1)?;
             self.found.push((supports, found));
         } else if let Some(waiting) = &mut self.waiting {
             // The line ends here: further from its birth every search would be long, and in vain.

@@ -10,7 +10,7 @@ use super::motion;
 use super::multipliers::{Budget, common_period, image, multipliers, unloaded};
 use super::poincare::Strobe;
 use super::settling::{self, returning, stable_orbit};
-use super::slices::whole;
+use super::slices::{Slices, whole};
 use super::sweep::at_frequency;
 use crate::error::{NumericsError, StudyError};
 use crate::model::equations::{GearPair, U};
@@ -350,6 +350,33 @@ pub fn torus(p: &Parameters, tolerance: f64) -> Result<Torus, StudyError> {
     motion::check_tolerance(tolerance)?;
     let budget = Budget::of(MOST_STEPS);
     whole(async { describe(&find(p, tolerance, &budget).await?).await })
+}
+
+/// [`torus`], a slice at a time.
+#[derive(Debug)]
+pub struct TorusWork {
+    slices: Slices<Result<Torus, StudyError>>,
+}
+
+impl TorusWork {
+    /// Nothing is done yet.
+    ///
+    /// # Errors
+    /// [`StudyError::Option`] for a tolerance out of range.
+    pub fn new(p: &Parameters, tolerance: f64) -> Result<Self, StudyError> {
+        motion::check_tolerance(tolerance)?;
+        let p = *p;
+        let slices = Slices::new(async move {
+            let budget = Budget::of(MOST_STEPS);
+            describe(&find(&p, tolerance, &budget).await?).await
+        });
+        Ok(Self { slices })
+    }
+
+    /// Does a slice of some milliseconds; the answer at the end, once, as [`torus`] gives it.
+    pub fn advance(&mut self) -> Option<Result<Torus, StudyError>> {
+        self.slices.advance()
+    }
 }
 
 async fn find<'a>(p: &Parameters, tolerance: f64, budget: &'a Budget) -> Result<Known<'a>, StudyError> {
