@@ -6,7 +6,7 @@
 //!
 //! Both matrices are symmetric and the stiffness is even about half a period, so that the monodromy is
 //! M = S^-1 P^T S P with P = Phi(T/2) and S = [[C, I], [I, 0]], damped or not. P comes from Taylor series of order
-//! [`ORDER`] in equal steps; of the products of series only that of the scalar u = b.x with the cosine is needed.
+//! 24 in equal steps; of the products of series only that of the scalar u = b.x with the cosine is needed.
 
 use super::characteristic::Characteristic;
 use crate::error::NumericsError;

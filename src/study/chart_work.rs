@@ -1,7 +1,7 @@
 //! A stability chart made bit by bit, coarse to fine, for showing while it is under way.
 //!
 //! About the trivial state, and about any response of a pair that is linear while the teeth touch, it is that of
-//! [`stability_chart`](super::stability_chart::stability_chart). About the response of a loaded nonlinear pair every point
+//! [the chart](super::stability_chart::stability_chart). About the response of a loaded nonlinear pair every point
 //! needs its own orbit: those of a coarse lattice are grown with the load, the others are found by Newton's method from a
 //! prediction through their neighbours.
 

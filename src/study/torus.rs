@@ -352,7 +352,7 @@ pub fn torus(p: &Parameters, tolerance: f64) -> Result<Torus, StudyError> {
     whole(async { describe(&find(p, tolerance, &budget).await?).await })
 }
 
-/// [`torus`], a slice at a time.
+/// [`torus()`], a slice at a time.
 #[derive(Debug)]
 pub struct TorusWork {
     slices: Slices<Result<Torus, StudyError>>,
@@ -373,7 +373,7 @@ impl TorusWork {
         Ok(Self { slices })
     }
 
-    /// Does a slice of some milliseconds; the answer at the end, once, as [`torus`] gives it.
+    /// Does a slice of some milliseconds; the answer at the end, once, as [`torus()`] gives it.
     pub fn advance(&mut self) -> Option<Result<Torus, StudyError>> {
         self.slices.advance()
     }
