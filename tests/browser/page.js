@@ -212,6 +212,8 @@ export function ink(page, id) {
     const live = /** @type {GearFigure} */ (element);
     const canvas = element.shadowRoot?.querySelector("canvas");
     const shown = await live.data();
+    // What is complete is drawn in one of the next animation frames.
+    for (let wait = 0; wait < 10; wait += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
     const frames = live.map()?.frames ?? [];
     if (!canvas) throw new Error("no canvas");
     const density = canvas.width / canvas.clientWidth;

@@ -18,6 +18,8 @@ export class Computation {
   #hooks;
   /** @type {AbortController | null} */
   #running = null;
+  /** Whether what is running has shown something. */
+  #pictured = false;
   /** @type {Given | null} */
   #waiting = null;
   /** @type {Deferred<Figure>} */
@@ -40,7 +42,8 @@ export class Computation {
   /** @param {Given} given */
   wish(given) {
     if (this.#answer.settled) this.#answer = new Deferred();
-    if (this.#running !== null && !this.#hooks.heavy) {
+    // What is abandoned before its first picture, value after value, would never show one while a slider moves.
+    if (this.#running !== null && !(this.#hooks.heavy && this.#pictured)) {
       this.#waiting = given;
       return;
     }
@@ -70,12 +73,20 @@ export class Computation {
   async #run(given) {
     const run = new AbortController();
     this.#running = run;
+    this.#pictured = false;
     const isNewest = () => this.#running === run;
     try {
       const figure = await this.#hooks.compute(given, {
         signal: run.signal,
         partial: (partial) => {
-          if (isNewest()) this.#hooks.show(partial, false);
+          if (!isNewest()) return;
+          this.#pictured = true;
+          this.#hooks.show(partial, false);
+          if (this.#waiting !== null) {
+            run.abort();
+            this.#running = null;
+            this.#goOn();
+          }
         },
       });
       if (!isNewest()) return;
