@@ -4,10 +4,8 @@ use super::compose::{Composer, number};
 use super::job::{Figure, Slices};
 use crate::chart::drawing::Series;
 use crate::error::{FigureError, StudyError};
-use crate::model::equations::GearPair;
 use crate::model::parameters::{Parameters, Regime};
 use crate::study::ErrorEstimate;
-use crate::study::motion::carry;
 use crate::study::tongue::{Tongue, TongueEdges, tongue_edges};
 use crate::theory::modes::{Mode, Modes};
 use std::fmt;
@@ -145,27 +143,6 @@ pub(super) fn apart(axis: &str, [x, formula, exact]: [f64; 3]) -> String {
 pub(super) fn modal(modes: &Modes, mode: Mode, state: &[f64; 6]) -> f64 {
     let (own, other) = (modes.coefficient(mode), modes.coefficient(mode.partner()));
     (state[2] - 0.25 * other * (state[1] - state[0])) / (own - other)
-}
-
-/// Shows the states of a motion at `samples` even times of `periods` mesh periods, the first included.
-///
-/// # Errors
-/// Where the integration fails.
-pub(super) fn sampled(
-    p: &Parameters,
-    mut state: [f64; 6],
-    periods: f64,
-    samples: usize,
-    visit: &mut dyn FnMut(f64, &[f64; 6]),
-) -> Result<(), StudyError> {
-    let pair = GearPair::new(p);
-    let length = periods * p.mesh_period() / samples as f64;
-    for sample in 0..samples {
-        let time = sample as f64 * length;
-        visit(time, &state);
-        state = carry(&pair, time, state, time + length, 1e-8)?.state;
-    }
-    Ok(())
 }
 
 /// The greatest growth rate by formula and exactly, in words.

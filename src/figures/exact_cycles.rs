@@ -1,6 +1,6 @@
 //! The exact tori beside the limit cycles of figure 7.
 
-use super::beside::{Part, apart, edges_apart, edges_on_axis, farthest, modal, sampled, unloaded};
+use super::beside::{Part, apart, edges_apart, edges_on_axis, farthest, modal, unloaded};
 use super::compose::{Composer, Line, Points, crowded};
 use super::job::Figure;
 use super::tongues::{Setting, Supports, split};
@@ -8,6 +8,7 @@ use crate::chart::drawing::Role;
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
 use crate::study::ErrorEstimate;
+use crate::study::motion::sampled;
 use crate::study::sweep::at_frequency;
 use crate::study::tongue::Tongue;
 use crate::study::torus::{Torus, TorusWork};

@@ -1,7 +1,7 @@
 //! The exact motions of period 2T beside the pitchforks of figures 3 and 5, as amplitudes of the mode at half the mesh
 //! frequency.
 
-use super::beside::{Part, apart, farthest, modal, sampled, unloaded};
+use super::beside::{Part, apart, farthest, modal, unloaded};
 use super::compose::Composer;
 use super::exact::{Exact, Spot, Style};
 use super::job::Figure;
@@ -11,6 +11,7 @@ use crate::chart::drawing::Role;
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
 use crate::study::ErrorEstimate;
+use crate::study::motion::sampled;
 use crate::study::sweep::at_frequency;
 use crate::theory::modes::Mode;
 use crate::theory::primary::{emanating_frequency, half_width};

@@ -172,3 +172,24 @@ pub fn carry(
     let options = Options { tolerance: step_tolerance(tolerance), steps: CARRY_STEPS, ..Options::default() };
     follow::<ORDER_20>(pair, start, state, end, options, |_, _| ())
 }
+
+/// Shows the states of a motion at `samples` even times of `periods` mesh periods, the first included.
+///
+/// # Errors
+/// Where the integration fails.
+pub fn sampled(
+    p: &Parameters,
+    mut state: [f64; 6],
+    periods: f64,
+    samples: usize,
+    visit: &mut dyn FnMut(f64, &[f64; 6]),
+) -> Result<(), StudyError> {
+    let pair = GearPair::new(p);
+    let length = periods * p.mesh_period() / samples as f64;
+    for sample in 0..samples {
+        let time = sample as f64 * length;
+        visit(time, &state);
+        state = carry(&pair, time, state, time + length, 1e-8)?.state;
+    }
+    Ok(())
+}
