@@ -1,36 +1,248 @@
 /**
- * The one state of the page: immutable, replaced as a whole, with those told who subscribed.
+ * The one state of the page: immutable, replaced as a whole. Every change is an action, a pure function from state to
+ * state with a name; so each can be undone, said in words and written into the address.
  *
- * @typedef {"auto" | "light" | "dark"} ThemeChoice
- * @typedef {Readonly<Record<string, number | string>>} Given  Parameters that differ from the figure's own, by name.
- * @typedef {object} State
- * @property {ThemeChoice} theme
- * @property {Readonly<Record<string, Given>>} figures  By the key of the figure's element.
+ * @typedef {"story" | "lab" | "class"} View
+ * @typedef {"auto" | "light" | "dark" | "contrast"} ThemeChoice
+ * @typedef {"en" | "de"} Language
+ * @typedef {Readonly<Record<string, number | string>>} Given  Parameters that differ from what they would be, by name.
+ * @typedef {Readonly<{x: readonly [number, number], y: readonly [number, number]}>} Window  What is seen of a plane.
+ * @typedef {Readonly<{azimuth: number, elevation: number}>} Direction  From where a view in space is seen, radians.
+ * @typedef {Readonly<{preset: string, point: Given}>} Pin  An operating point kept for comparison.
+ * @typedef {Readonly<{id: string, step: number, locked: readonly string[]}>} Lesson
  */
+
+/**
+ * What the reader has changed about one figure.
+ *
+ * @typedef {object} FigureState
+ * @property {Given} given  Parameters that differ from the figure's own.
+ * @property {Readonly<Record<string, Window>>} windows  By the name of the frame; what is not named is seen whole.
+ * @property {readonly string[]} hidden  Names of series that are switched off.
+ * @property {Direction | null} view  Null: from where the figure is seen at first.
+ */
+
+/**
+ * @typedef {object} State
+ * @property {View} view
+ * @property {string | null} at  The place in the story that was gone to, an element's id.
+ * @property {string} preset  The figure whose parameters the operating point starts from.
+ * @property {Given} point  What differs from the preset at the one operating point, which all of the laboratory shares.
+ * @property {Readonly<Record<string, Readonly<FigureState>>>} figures  By the key of the figure's element; a figure
+ *   about which nothing was changed is not among them.
+ * @property {ThemeChoice} theme
+ * @property {boolean} projector  Large type and thick lines, for a room.
+ * @property {Language} language
+ * @property {readonly Pin[]} pinned  At most two.
+ * @property {Lesson | null} lesson
+ * @property {Readonly<Record<string, number>> | null} si  The real gear pair, in SI units, that the point stands for.
+ */
+
+import { begin, record, redone, settled, undone } from "./history.js";
+import { presetGiven } from "./presets.js";
+
+/** @type {readonly View[]} */
+export const VIEWS = Object.freeze(["story", "lab", "class"]);
+/** @type {readonly ThemeChoice[]} */
+export const THEMES = Object.freeze(["auto", "light", "dark", "contrast"]);
+/** @type {readonly Language[]} */
+export const LANGUAGES = Object.freeze(["en", "de"]);
+/** How many operating points can be pinned. */
+export const PINS = 2;
 
 /** @type {Given} */
 const NOTHING = Object.freeze({});
 
+/** @type {Readonly<FigureState>} */
+export const UNTOUCHED = Object.freeze({ given: NOTHING, windows: Object.freeze({}), hidden: Object.freeze([]), view: null });
+
+/** @type {Readonly<State>} */
+export const INITIAL = Object.freeze({
+  view: "story",
+  at: null,
+  preset: "11c",
+  point: NOTHING,
+  figures: Object.freeze({}),
+  theme: "auto",
+  projector: false,
+  language: "en",
+  pinned: Object.freeze([]),
+  lesson: null,
+  si: null,
+});
+
+/**
+ * What was changed about a figure.
+ *
+ * @param {State} state
+ * @param {string} key
+ */
+export function figureOf(state, key) {
+  return state.figures[key] ?? UNTOUCHED;
+}
+
+/**
+ * @param {State} state
+ * @param {string} key
+ */
+export function givenOf(state, key) {
+  return figureOf(state, key).given;
+}
+
+/**
+ * The state with something changed about a figure; one about which nothing is left to say is forgotten.
+ *
+ * @param {State} state
+ * @param {string} key
+ * @param {Partial<FigureState>} change
+ * @returns {State}
+ */
+export function withFigure(state, key, change) {
+  const { [key]: before = UNTOUCHED, ...others } = state.figures;
+  const figure = { ...before, ...change };
+  if (same(figure, before)) return state;
+  return { ...state, figures: same(figure, UNTOUCHED) ? others : { ...others, [key]: figure } };
+}
+
+/**
+ * Every parameter that is given at the operating point: those of the preset and what differs from them.
+ *
+ * @param {{preset: string, point: Given}} state
+ * @returns {Given}
+ */
+export function pointOf({ preset, point }) {
+  return { ...presetGiven(preset), ...point };
+}
+
+/**
+ * The state with parameters of the operating point set; what is as in the preset is not kept, `undefined` takes back.
+ * Nothing but the point changes: a pair in SI units is led along by whoever shows it.
+ *
+ * @param {State} state
+ * @param {Readonly<Record<string, number | string | undefined>>} values
+ * @returns {State}
+ */
+export function withPoint(state, values) {
+  const own = presetGiven(state.preset);
+  /** @type {Record<string, number | string>} */
+  const point = { ...state.point };
+  for (const [name, value] of Object.entries(values)) {
+    if (value === undefined || value === own[name]) delete point[name];
+    else point[name] = value;
+  }
+  return same(point, state.point) ? state : { ...state, point };
+}
+
+/**
+ * @param {State} state
+ * @param {string} preset
+ * @returns {State}
+ */
+export function withPreset(state, preset) {
+  return { ...state, preset, point: NOTHING, si: null };
+}
+
+/**
+ * @typedef {object} ActOptions
+ * @property {string} [merge]  Actions of the same kind that follow each other closely, such as a slider's on its way, are
+ *   one for undoing.
+ */
+
 export class Store {
-  /** @type {State} */
-  #state;
+  /** @type {import("./history.js").History<State>} */
+  #history;
   /** @type {Set<(state: State, before: State) => void>} */
   #subscribers = new Set();
+  /** Parameters of the operating point that a figure shows as its own. @type {Map<string, readonly string[]>} */
+  #shared = new Map();
+  #holding = false;
+  #now;
 
-  /** @param {Partial<State>} [initial] */
-  constructor(initial = {}) {
-    this.#state = Object.freeze({ theme: "auto", figures: Object.freeze({}), ...initial });
+  /**
+   * @param {Partial<State>} [initial]
+   * @param {() => number} [now]  Time in ms.
+   */
+  constructor(initial = {}, now = () => performance.now()) {
+    this.#history = begin(frozen({ ...INITIAL, ...initial }));
+    this.#now = now;
   }
 
   get state() {
-    return this.#state;
+    return this.#history.entries[this.#history.at].state;
   }
 
-  /** @param {Partial<State>} change */
+  /** What was done, and where in it we are. */
+  get history() {
+    return this.#history;
+  }
+
+  /**
+   * @param {string} name  A key of the catalogue that says what is done.
+   * @param {(state: State) => State} change
+   * @param {ActOptions} [options]
+   */
+  act(name, change, { merge } = {}) {
+    const before = this.state;
+    const state = change(before);
+    if (state === before || same(state, before)) return;
+    const held = this.#holding;
+    this.#move(record(this.#history, { name, state: frozen(state), merge: merge ?? null, time: this.#now() }, held));
+  }
+
+  /** Whether there is something to undo. */
+  get undoable() {
+    return this.#history.at > 0;
+  }
+
+  get redoable() {
+    return this.#history.at < this.#history.entries.length - 1;
+  }
+
+  undo() {
+    this.#move(undone(this.#history));
+  }
+
+  redo() {
+    this.#move(redone(this.#history));
+  }
+
+  /**
+   * Goes to a moment of the history.
+   *
+   * @param {number} at
+   */
+  goTo(at) {
+    this.#move({ ...this.#history, at: Math.min(this.#history.entries.length - 1, Math.max(0, at)) });
+  }
+
+  /** While something is held, such as a slider, all it does is one action. */
+  hold() {
+    this.#holding = true;
+  }
+
+  release() {
+    this.#holding = false;
+    this.#history = settled(this.#history);
+  }
+
+  /**
+   * Changes the state without a trace: what the page does by itself, not its reader.
+   *
+   * @param {Partial<State>} change
+   */
   update(change) {
-    const before = this.#state;
-    this.#state = Object.freeze({ ...before, ...change });
-    for (const subscriber of [...this.#subscribers]) subscriber(this.#state, before);
+    const { entries, at } = this.#history;
+    const entry = { ...entries[at], state: frozen({ ...this.state, ...change }) };
+    this.#move({ entries: entries.map((old, index) => (index === at ? entry : old)), at });
+  }
+
+  /**
+   * Begins anew with another state; nothing before it can be returned to.
+   *
+   * @param {State} state
+   */
+  restart(state) {
+    this.#move(begin(frozen(state)));
   }
 
   /**
@@ -43,12 +255,28 @@ export class Store {
   }
 
   /**
-   * What was given for a figure.
+   * Lets a figure show these parameters of the operating point, and its handle and sliders move it.
    *
    * @param {string} key
+   * @param {readonly string[]} names
    */
-  given(key) {
-    return givenOf(this.#state, key);
+  share(key, names) {
+    this.#shared.set(key, names);
+  }
+
+  /**
+   * What is given for a figure.
+   *
+   * @param {string} key
+   * @param {State} [state]
+   * @returns {Given}
+   */
+  given(key, state = this.state) {
+    const own = givenOf(state, key);
+    const names = this.#shared.get(key);
+    if (names === undefined) return own;
+    const point = pointOf(state);
+    return { ...own, ...Object.fromEntries(names.filter((name) => name in point).map((name) => [name, point[name]])) };
   }
 
   /**
@@ -56,14 +284,68 @@ export class Store {
    * @param {Given} given
    */
   give(key, given) {
-    this.update({ figures: Object.freeze({ ...this.#state.figures, [key]: Object.freeze({ ...given }) }) });
+    const names = this.#shared.get(key) ?? [];
+    const own = Object.fromEntries(Object.entries(given).filter(([name]) => !names.includes(name)));
+    const shared = Object.fromEntries(names.map((name) => [name, given[name]]));
+    const before = this.given(key);
+    const changed = Object.keys({ ...before, ...given }).filter((name) => before[name] !== given[name]);
+    this.act("act.parameter", (state) => withPoint(withFigure(state, key, { given: own }), shared), {
+      merge: `${key} ${changed}`,
+    });
+  }
+
+  /**
+   * What a figure's own attributes give: it counts where nothing else was given, and is nobody's action.
+   *
+   * @param {string} key
+   * @param {Given} given
+   */
+  start(key, given) {
+    if (this.state.figures[key] === undefined && Object.keys(given).length > 0) {
+      this.update({ figures: withFigure(this.state, key, { given }).figures });
+    }
+  }
+
+  /**
+   * Another figure takes this one's place.
+   *
+   * @param {string} key
+   */
+  forget(key) {
+    this.update({ figures: withFigure(this.state, key, UNTOUCHED).figures });
+  }
+
+  /** @param {import("./history.js").History<State>} history */
+  #move(history) {
+    const before = this.state;
+    this.#history = history;
+    if (this.state === before) return;
+    for (const subscriber of [...this.#subscribers]) subscriber(this.state, before);
   }
 }
 
 /**
- * @param {State} state
- * @param {string} key
+ * @template T
+ * @param {T} value
+ * @returns {T}
  */
-export function givenOf(state, key) {
-  return state.figures[key] ?? NOTHING;
+function frozen(value) {
+  if (typeof value !== "object" || value === null || Object.isFrozen(value)) return value;
+  for (const inner of Object.values(value)) frozen(inner);
+  return Object.freeze(value);
+}
+
+/**
+ * Whether two values of plain data say the same.
+ *
+ * @param {unknown} one
+ * @param {unknown} other
+ * @returns {boolean}
+ */
+export function same(one, other) {
+  if (one === other) return true;
+  if (typeof one !== "object" || typeof other !== "object" || one === null || other === null) return false;
+  const [names, others] = [Object.keys(one), Object.keys(other)];
+  const [left, right] = [/** @type {any} */ (one), /** @type {any} */ (other)];
+  return names.length === others.length && names.every((name) => Object.hasOwn(right, name) && same(left[name], right[name]));
 }

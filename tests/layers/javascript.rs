@@ -3,13 +3,33 @@
 //! What a part imports when it runs is one thing; what it says about types in a JSDoc comment is another, and free.
 
 /// The parts of `www/`, each with the parts whose modules it may import when it runs.
-const ARROWS: [(&str, &[&str]); 6] = [
-    ("main", &["main", "state", "engine", "figure", "controls", "embed"]),
+const ARROWS: [(&str, &[&str]); 11] = [
+    (
+        "main",
+        &[
+            "main",
+            "state",
+            "engine",
+            "figure",
+            "controls",
+            "words",
+            "shell",
+            "lab",
+            "classroom",
+            "exports",
+            "embed",
+        ],
+    ),
     ("state", &["state"]),
     ("engine", &["engine", "module"]),
-    ("figure", &["figure", "controls"]),
-    ("controls", &["controls", "figure"]),
-    ("embed", &["embed", "state", "engine", "figure", "controls"]),
+    ("words", &["words"]),
+    ("figure", &["figure", "controls", "words"]),
+    ("controls", &["controls", "figure", "words"]),
+    ("shell", &["shell", "state", "words"]),
+    ("exports", &["exports", "state", "figure", "words"]),
+    ("lab", &["lab", "state", "figure", "controls", "exports", "words"]),
+    ("classroom", &["classroom", "state", "figure", "controls", "exports", "words"]),
+    ("embed", &["embed", "state", "engine", "figure", "controls", "exports", "words"]),
 ];
 
 /// Everything in the page's sources that goes against the arrows, a line each.
@@ -63,12 +83,10 @@ fn part_of(file: &str) -> Option<&'static str> {
     match file {
         "gear-bifurcations.js" => return Some("module"),
         "www/main.js" => return Some("main"),
-        "www/state.js" | "www/url.js" => return Some("state"),
+        "www/state.js" | "www/url.js" | "www/history.js" | "www/presets.js" => return Some("state"),
         _ => {}
     }
-    ["engine", "figure", "controls", "embed"]
-        .into_iter()
-        .find(|part| file.starts_with(&format!("www/{part}/")))
+    ARROWS.iter().map(|(part, _)| *part).find(|part| file.starts_with(&format!("www/{part}/")))
 }
 
 /// The file that an address in another file leads to, from the project's root.
@@ -186,6 +204,11 @@ mod tests {
             ("www/main.js", "import x from \"https://cdn.example/x.js\";"),
             ("www/main.js", "import x from \"/www/state.js\";"),
             ("www/state.js", "import { draw } from \"./figure/gear-figure.js\";"),
+            ("www/url.js", "import { say } from \"./words/say.js\";"),
+            ("www/words/say.js", "import { language } from \"../state.js\";"),
+            ("www/lab/lab.js", "import { engine } from \"../engine/running.js\";"),
+            ("www/lab/lab.js", "import { lessons } from \"../classroom/lessons.js\";"),
+            ("www/shell/palette.js", "import { start } from \"../lab/lab.js\";"),
             ("www/engine/client.js", "import { state } from \"../state.js\";"),
             ("www/engine/client.js", "import fs from \"node:fs\";"),
             ("www/other.js", ""),

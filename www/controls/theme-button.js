@@ -1,30 +1,28 @@
 /**
- * The button that goes round light, dark and as the system has it.
+ * The button that goes round the themes and back to as the system has it.
  *
  * @typedef {import("../state.js").ThemeChoice} ThemeChoice
  */
 
+import { say } from "../words/say.js";
+
 /** @type {readonly ThemeChoice[]} */
 const ROUND = ["auto", "light", "dark"];
-const WORDS = { auto: "auto", light: "light", dark: "dark" };
 
 /**
  * @param {HTMLButtonElement} button
- * @param {ThemeChoice} start
+ * @param {() => ThemeChoice} current
  * @param {(choice: ThemeChoice) => void} change
+ * @returns {() => void} shows the theme that is current
  */
-export function wireThemeButton(button, start, change) {
-  let choice = start;
+export function wireThemeButton(button, current, change) {
   const show = () => {
-    button.textContent = `Theme: ${WORDS[choice]}`;
+    button.textContent = say("theme.button", { theme: say(`theme.${current()}`) });
   };
-  button.addEventListener("click", () => {
-    choice = ROUND[(ROUND.indexOf(choice) + 1) % ROUND.length];
-    show();
-    change(choice);
-  });
+  button.addEventListener("click", () => change(ROUND[(ROUND.indexOf(current()) + 1) % ROUND.length]));
   show();
   button.hidden = false;
+  return show;
 }
 
 /**

@@ -26,6 +26,19 @@ import { warmDrawing } from "./warming.js";
 
 export { GearError, PRIORITY };
 
+/**
+ * A pair's short form, which may be given even where no figure has it among its controls.
+ *
+ * @param {ParameterInfo} info
+ * @returns {ParameterInfo[]}
+ */
+function shortForm(info) {
+  if ("choices" in info || info.short === null) return [];
+  const { name, short } = info;
+  const sets = ["p", "g"].map((body) => name.replace(/[pg]$/, body));
+  return [{ ...info, name: short, symbol: info.symbol.replace(/_\{[pg]\}/, "_{s}"), short: null, sets }];
+}
+
 /** Figures of the paper have its numbers; those beyond it have letters, and wait until the paper's are there. */
 const OF_THE_PAPER = /^\d/;
 
@@ -51,7 +64,7 @@ export class Engine {
     this.#pool = pool;
     this.figures = new Map(gear.figures().map((info) => [info.id, info]));
     const parameters = [...gear.defaults(), ...[...this.figures.values()].flatMap((info) => info.parameters)];
-    this.vocabulary = new Map(parameters.map((info) => [info.name, info]));
+    this.vocabulary = new Map([...parameters.flatMap(shortForm), ...parameters].map((info) => [info.name, info]));
   }
 
   /**

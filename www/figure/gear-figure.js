@@ -213,6 +213,7 @@ export class GearFigure extends HTMLElement {
 
   #beginAnew() {
     this.disconnectedCallback();
+    this.#services?.store.forget(this.#key);
     this.#panel = null;
     this.#parts.controls.replaceChildren();
     this.#parts.rows.replaceChildren();
@@ -256,7 +257,11 @@ export class GearFigure extends HTMLElement {
     this.#readAttributes();
     signal.addEventListener("abort", onAppearance(() => this.#repaint()));
     const unsubscribe = store.subscribe((state, before) => {
-      if (state.figures[this.#key] !== before.figures[this.#key]) this.#wish();
+      const given = store.given(this.#key, state);
+      if (!sameGiven(given, store.given(this.#key, before))) {
+        this.#panel?.show(given);
+        this.#wish();
+      }
       if (state.theme !== before.theme) this.#repaint();
     });
     signal.addEventListener("abort", unsubscribe);
@@ -325,8 +330,10 @@ export class GearFigure extends HTMLElement {
     this.#leftOut = problems.map(({ message }) => message).join(" ");
     if (this.#questions === 0 || !sameGiven(given, this.#start)) {
       this.#start = given;
-      store.give(this.#key, given);
-      this.#panel?.show(given);
+      // What was given before the figure came, by the page's address, counts more than its attributes.
+      if (this.#questions === 0) store.start(this.#key, given);
+      else store.give(this.#key, given);
+      this.#panel?.show(this.#given);
       if (this.#questions === 0) this.#ask();
     }
     this.#repaint(); // the theme may have changed

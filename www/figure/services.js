@@ -34,8 +34,10 @@
  *
  * @typedef {object} Store
  * @property {State} state
- * @property {(key: string) => Given} given
- * @property {(key: string, given: Given) => void} give
+ * @property {(key: string, state?: State) => Given} given  Parameters that differ from the figure's own, at present or in a state.
+ * @property {(key: string, given: Given) => void} give  An action of the reader.
+ * @property {(key: string, given: Given) => void} start  What counts where nothing was given.
+ * @property {(key: string) => void} forget
  * @property {(subscriber: (state: State, before: State) => void) => () => void} subscribe
  */
 

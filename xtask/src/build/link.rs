@@ -4,6 +4,9 @@
 //! Each module becomes a function that is called once, in the order of the imports, and returns what it exports. So
 //! names cannot clash and nothing is rewritten but the lines of import and export. What these functions cannot
 //! express (a live binding, a default export, a circle of imports) is refused, not guessed at.
+//!
+//! A file that is fetched later, such as the laboratory's, takes the modules that its host holds already from there, so
+//! that there is one of each: what a module remembers must not be remembered twice.
 
 use crate::Failure;
 use std::collections::BTreeMap;
@@ -12,32 +15,75 @@ use std::fmt::Write as _;
 /// The page's modules: their texts by path, as `www/figure/table.js`.
 pub type Modules = BTreeMap<String, String>;
 
+/// A joined file.
+pub struct Linked {
+    pub text: String,
+    /// The modules in it, by their paths.
+    pub holds: Vec<String>,
+}
+
+/// A file that is there before another one is fetched, and the modules that it offers to it.
+#[derive(Clone, Copy)]
+pub struct Host<'a> {
+    /// Its entry, which is its path too.
+    pub entry: &'a str,
+    pub holds: &'a [String],
+}
+
 /// Joins `entry` and all that it imports. What is in `apart`, or is none of `modules`, stays a file of its own, which the
-/// joined file imports.
-pub fn link(modules: &Modules, entry: &str, apart: &[&str]) -> Result<String, Failure> {
-    let mut linker =
-        Linker { modules, entry, apart, joined: String::new(), names: Vec::new(), outside: Vec::new() };
+/// joined file imports; what the `host` holds is taken from it.
+pub fn link(
+    modules: &Modules,
+    entry: &str,
+    apart: &[&str],
+    host: Option<Host<'_>>,
+) -> Result<Linked, Failure> {
+    let mut linker = Linker {
+        modules,
+        entry,
+        apart,
+        host,
+        joined: String::new(),
+        names: Vec::new(),
+        outside: Vec::new(),
+        taken: Vec::new(),
+    };
     let exports = linker.add(entry, &mut Vec::new())?;
-    let mut file = String::new();
+    let mut text = String::new();
     for (address, name) in &linker.outside {
-        let _ = writeln!(file, "import * as {name} from \"{address}\";");
+        let _ = writeln!(text, "import * as {name} from \"{address}\";");
     }
-    file.push_str(&linker.joined);
+    if let Some(host) = host.filter(|_| !linker.taken.is_empty()) {
+        let address = relative(entry, host.entry);
+        let _ = writeln!(text, "import {{ {} }} from \"{address}\";", linker.taken.join(", "));
+    }
+    text.push_str(&linker.joined);
     if !exports.is_empty() {
-        let _ = writeln!(file, "export const {{ {} }} = {};", exports.join(", "), variable(entry));
+        let _ = writeln!(text, "export const {{ {} }} = {};", exports.join(", "), variable(entry));
     }
-    Ok(file)
+    Ok(Linked { text, holds: linker.names })
+}
+
+impl Linked {
+    /// Lets files that are fetched later take its modules.
+    pub fn offer(&mut self) {
+        let names: Vec<_> = self.holds.iter().map(|path| variable(path)).collect();
+        let _ = writeln!(self.text, "export {{ {} }};", names.join(", "));
+    }
 }
 
 struct Linker<'a> {
     modules: &'a Modules,
     entry: &'a str,
     apart: &'a [&'a str],
+    host: Option<Host<'a>>,
     joined: String,
     /// Modules that are joined already.
     names: Vec<String>,
     /// Files that stay apart: their address as seen from the entry, and the variable that holds what they export.
     outside: Vec<(String, String)>,
+    /// The variables of the host's modules that are taken from it.
+    taken: Vec<String>,
 }
 
 impl Linker<'_> {
@@ -90,7 +136,13 @@ impl Linker<'_> {
 
     /// The variable that holds what a module exports; joins the module first where need be.
     fn need(&mut self, target: &str, importers: &mut Vec<String>) -> Result<String, Failure> {
-        if self.apart.contains(&target) || !self.modules.contains_key(target) {
+        let held = |host: Host<'_>| host.holds.iter().any(|name| name == target);
+        if self.host.is_some_and(held) {
+            let name = variable(target);
+            if !self.taken.contains(&name) {
+                self.taken.push(name);
+            }
+        } else if self.apart.contains(&target) || !self.modules.contains_key(target) {
             let address = relative(self.entry, target);
             if !self.outside.iter().any(|(known, _)| *known == address) {
                 self.outside.push((address, variable(target)));
@@ -204,7 +256,7 @@ fn relative(from: &str, to: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Modules, link, relative, resolve};
+    use super::{Host, Modules, link, relative, resolve};
 
     fn modules(texts: &[(&str, &str)]) -> Modules {
         texts.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect()
@@ -220,8 +272,10 @@ mod tests {
             ]),
             "www/main.js",
             &[],
+            None,
         )
-        .unwrap();
+        .unwrap()
+        .text;
         let place = |text: &str| joined.find(text).unwrap_or_else(|| panic!("`{text}` is not in\n{joined}"));
         assert!(place("// www/a/two.js") < place("// www/a/one.js"));
         assert!(place("// www/a/one.js") < place("// www/main.js"));
@@ -241,12 +295,34 @@ mod tests {
             ]),
             "www/engine/running.js",
             &["www/engine/x.js"],
+            None,
         )
-        .unwrap();
+        .unwrap()
+        .text;
         assert!(joined.starts_with(
             "import * as $gear_js from \"../../gear.js\";\nimport * as $www_engine_x_js from \"./x.js\";\n"
         ));
         assert!(joined.ends_with("export const { engine } = $www_engine_running_js;\n"));
+    }
+
+    #[test]
+    fn what_is_fetched_later_takes_from_its_host_what_is_there() {
+        let modules = modules(&[
+            ("www/main.js", "import { say } from \"./words/say.js\";\nsay(1);\n"),
+            ("www/words/say.js", "export const say = (word) => word;\n"),
+            (
+                "www/lab/lab.js",
+                "import { say } from \"../words/say.js\";\nimport { own } from \"./own.js\";\nexport const start = () => say(own);\n",
+            ),
+            ("www/lab/own.js", "import { say } from \"../words/say.js\";\nexport const own = say(2);\n"),
+        ]);
+        let mut main = link(&modules, "www/main.js", &[], None).unwrap();
+        let host = Host { entry: "www/main.js", holds: &main.holds };
+        let lab = link(&modules, "www/lab/lab.js", &[], Some(host)).unwrap();
+        assert!(lab.text.starts_with("import { $www_words_say_js } from \"../main.js\";\n"), "{}", lab.text);
+        assert!(!lab.text.contains("// www/words/say.js") && lab.text.contains("// www/lab/own.js"));
+        main.offer();
+        assert!(main.text.ends_with("export { $www_words_say_js, $www_main_js };\n"), "{}", main.text);
     }
 
     #[test]
@@ -262,6 +338,7 @@ mod tests {
                 &modules(&[("www/main.js", text), ("www/b.js", "export const b = 1;\n")]),
                 "www/main.js",
                 &[],
+                None,
             );
             assert!(refused.is_err(), "{text}");
         }

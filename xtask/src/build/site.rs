@@ -1,7 +1,7 @@
 //! The static folder: what is in it, and how it is brought up to date.
 
 use super::bindings::Generated;
-use super::link::{self, Modules};
+use super::link::{self, Host, Modules};
 use super::module;
 use crate::{Failure, place};
 use std::collections::BTreeMap;
@@ -15,7 +15,12 @@ const NOT_SERVED: [&str; 2] = ["engine/gear-bifurcations.js", "engine/bindings.j
 
 /// Modules that the document or a worker is started with; each is served joined with all that it imports, but for the
 /// others of them.
-const ENTRIES: [&str; 3] = ["www/engine/running.js", "www/main.js", "www/engine/worker.js"];
+const ENTRIES: [&str; 3] = ["www/engine/running.js", MAIN, "www/engine/worker.js"];
+
+const MAIN: &str = "www/main.js";
+
+/// Modules that `main.js` fetches when they are wanted; each is served joined with what `main.js` does not hold.
+const LATER: [&str; 3] = ["www/lab/lab.js", "www/classroom/classroom.js", "www/words/de/index.js"];
 
 /// The files of the static folder, by their path in it.
 #[derive(Default)]
@@ -44,8 +49,17 @@ pub fn gather(root: &Path, generated: &Generated) -> Result<Site, Failure> {
             site.copy(&from, &path)?;
         }
     }
+    let apart = [&ENTRIES[..], &LATER].concat();
     for entry in ENTRIES {
-        site.add(entry, link::link(&modules, entry, &ENTRIES)?);
+        let mut linked = link::link(&modules, entry, &apart, None)?;
+        if entry == MAIN {
+            let host = Host { entry, holds: &linked.holds };
+            for later in LATER {
+                site.add(later, link::link(&modules, later, &apart, Some(host))?.text);
+            }
+            linked.offer();
+        }
+        site.add(entry, linked.text);
     }
     // Each figure as a drawing, for readers without scripts and until the live one is there. A test proves that they
     // are what the library draws today, so that the build need not compile it twice.

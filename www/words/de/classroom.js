@@ -1,0 +1,4 @@
+/** Was das Klassenzimmer sagt. */
+
+/** @type {import("../say.js").Words} */
+export const words = {};

@@ -1,0 +1,4 @@
+/** Was die Abbildungen und ihre Regler sagen. */
+
+/** @type {import("../say.js").Words} */
+export const words = {};

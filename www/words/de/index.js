@@ -1,0 +1,11 @@
+/** German, whole: loaded only when it is chosen. */
+
+import { words as classroom } from "./classroom.js";
+import { words as exported } from "./exports.js";
+import { words as figure } from "./figure.js";
+import { words as lab } from "./lab.js";
+import { words as shell } from "./shell.js";
+import { words as story } from "./story.js";
+
+/** @type {import("../say.js").Words} */
+export const german = { ...classroom, ...exported, ...figure, ...lab, ...shell, ...story };

@@ -1,0 +1,4 @@
+/** Was das Labor sagt. */
+
+/** @type {import("../say.js").Words} */
+export const words = {};

@@ -1,0 +1,4 @@
+/** What the classroom says. */
+
+/** @type {import("../say.js").Words} */
+export const words = {};

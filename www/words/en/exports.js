@@ -1,0 +1,4 @@
+/** What exporting says. */
+
+/** @type {import("../say.js").Words} */
+export const words = {};

@@ -1,0 +1,4 @@
+/** What the laboratory says. */
+
+/** @type {import("../say.js").Words} */
+export const words = {};

@@ -1,0 +1,32 @@
+/** What the frame of the page says: header, menus, messages about links. */
+
+/** @type {import("../say.js").Words} */
+export const words = {
+  "act.parameter": "change a parameter",
+  "act.view": "change the view",
+  "act.jump": "go to a place",
+  "act.preset": "choose a preset",
+  "act.theme": "change the theme",
+  "act.language": "change the language",
+  "act.projector": "switch the projector mode",
+  "act.link": "follow a link",
+  "view.loading": "Opening…",
+  "view.failed": "This part could not be loaded. The rest of the page works on; open it again to try once more.",
+  "link.some": "Not everything in this link could be applied; the rest is shown.",
+  "link.unknown": "There is nothing called “{name}” here.",
+  "link.number": "“{name}” must be a number, {allowed}; “{given}” is none.",
+  "link.range": "“{name}” must be within {allowed}; {given} was given.",
+  "link.choice": "“{name}” is one of {allowed}; “{given}” was given.",
+  "link.form": "“{name}” cannot be read from “{given}”.",
+  "link.newer": "The link is of version {given}, and this page reads version {allowed}.",
+  "link.repeated": "“{name}” is given twice; the first counts.",
+  "link.more": "And {count} more.",
+  "link.nothing": "nothing",
+  "lab.soon": "The laboratory is not furnished yet. Every figure of the story can be changed in its place.",
+  "class.soon": "The classroom is not furnished yet.",
+  "theme.button": "Theme: {theme}",
+  "theme.auto": "auto",
+  "theme.light": "light",
+  "theme.dark": "dark",
+  "theme.contrast": "contrast",
+};
