@@ -23,6 +23,16 @@ export function reference(name) {
   return JSON.parse(readFileSync(new URL(`../reference/${name}.json`, import.meta.url), "utf8"));
 }
 
+/**
+ * Seconds this process has computed so far: unlike a clock on the wall it does not run while others have the machine.
+ *
+ * @returns {number}
+ */
+export function secondsComputed() {
+  const { user, system } = process.cpuUsage();
+  return (user + system) / 1e6;
+}
+
 /** @param {number} actual @param {number} expected @param {number} tolerance @param {string} what */
 export function close(actual, expected, tolerance, what) {
   assert.ok(
