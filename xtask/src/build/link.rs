@@ -1,358 +1,414 @@
 //! Joins the page's modules into few files: one request instead of thirty, each of which costs a browser milliseconds
 //! before the first picture.
 //!
-//! Each module becomes a function that is called once, in the order of the imports, and returns what it exports. So
-//! names cannot clash and nothing is rewritten but the lines of import and export. What these functions cannot
-//! express (a live binding, a default export, a circle of imports) is refused, not guessed at.
+//! Each module becomes a function that is called once and returns what it exports. So names cannot clash and nothing is
+//! rewritten but the lines of import and export. What these functions cannot express (a live binding, a default export,
+//! a circle of imports) is refused, not guessed at.
 //!
-//! A file that is fetched later, such as the laboratory's, takes the modules that its host holds already from there, so
-//! that there is one of each: what a module remembers must not be remembered twice.
+//! On the site (`files`) a module is called in the order of the imports, and what is imported later is in files of
+//! its own, each module in one file alone. In the single file (`scripts`) there is nothing to fetch: all modules stand in
+//! plain scripts, and each is called when it is first asked for.
 
+use super::modules::{Module, Modules, Piece, pair, relative, variable};
 use crate::Failure;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
-/// The page's modules: their texts by path, as `www/figure/table.js`.
-pub type Modules = BTreeMap<String, String>;
-
-/// A joined file.
-pub struct Linked {
-    pub text: String,
-    /// The modules in it, by their paths.
-    pub holds: Vec<String>,
+/// Joins into files what `entries` import. They are all of one page, that is, of one set of modules that are alive
+/// together; an entry leaves to those before it what they have. What is none of `modules` stays a file of its own.
+pub fn files(modules: &Modules, entries: &[&str]) -> Result<BTreeMap<String, String>, Failure> {
+    let read = read(modules, entries)?;
+    let mut plan = Plan { read: &read, order: Vec::new(), file_of: BTreeMap::new() };
+    for entry in entries {
+        plan.assign(entry, entry, &mut Vec::new())?;
+    }
+    plan.assign_later(entries)?;
+    let mut files: Vec<&String> = plan.file_of.values().collect();
+    files.sort_unstable();
+    files.dedup();
+    Ok(files.into_iter().map(|file| (file.clone(), plan.text(file))).collect())
 }
 
-/// A file that is there before another one is fetched, and the modules that it offers to it.
-#[derive(Clone, Copy)]
-pub struct Host<'a> {
-    /// Its entry, which is its path too.
-    pub entry: &'a str,
-    pub holds: &'a [String],
+/// Which module stands in which file.
+struct Plan<'a> {
+    read: &'a BTreeMap<String, Module>,
+    /// The modules, each after those it imports.
+    order: Vec<String>,
+    file_of: BTreeMap<String, String>,
 }
 
-/// Joins `entry` and all that it imports. What is in `apart`, or is none of `modules`, stays a file of its own, which the
-/// joined file imports; what the `host` holds is taken from it.
-pub fn link(
-    modules: &Modules,
-    entry: &str,
-    apart: &[&str],
-    host: Option<Host<'_>>,
-) -> Result<Linked, Failure> {
-    let mut linker = Linker {
-        modules,
-        entry,
-        apart,
-        host,
-        joined: String::new(),
-        names: Vec::new(),
-        outside: Vec::new(),
-        taken: Vec::new(),
-    };
-    let exports = linker.add(entry, &mut Vec::new())?;
-    let mut text = String::new();
-    for (address, name) in &linker.outside {
-        let _ = writeln!(text, "import * as {name} from \"{address}\";");
-    }
-    if let Some(host) = host.filter(|_| !linker.taken.is_empty()) {
-        let address = relative(entry, host.entry);
-        let _ = writeln!(text, "import {{ {} }} from \"{address}\";", linker.taken.join(", "));
-    }
-    text.push_str(&linker.joined);
-    if !exports.is_empty() {
-        let _ = writeln!(text, "export const {{ {} }} = {};", exports.join(", "), variable(entry));
-    }
-    Ok(Linked { text, holds: linker.names })
-}
-
-impl Linked {
-    /// Lets files that are fetched later take its modules.
-    pub fn offer(&mut self) {
-        let names: Vec<_> = self.holds.iter().map(|path| variable(path)).collect();
-        let _ = writeln!(self.text, "export {{ {} }};", names.join(", "));
-    }
-}
-
-struct Linker<'a> {
-    modules: &'a Modules,
-    entry: &'a str,
-    apart: &'a [&'a str],
-    host: Option<Host<'a>>,
-    joined: String,
-    /// Modules that are joined already.
-    names: Vec<String>,
-    /// Files that stay apart: their address as seen from the entry, and the variable that holds what they export.
-    outside: Vec<(String, String)>,
-    /// The variables of the host's modules that are taken from it.
-    taken: Vec<String>,
-}
-
-impl Linker<'_> {
-    /// Joins a module after those it imports; the names that it exports.
-    fn add(&mut self, path: &str, importers: &mut Vec<String>) -> Result<Vec<String>, Failure> {
-        let failed = |reason: String| Failure::invalid(path, reason);
-        let text = self.modules.get(path).ok_or_else(|| failed("there is no such module".into()))?;
-        importers.push(path.to_owned());
-        let (mut body, mut exports) = (String::new(), Vec::new());
-        for statement in statements(text) {
-            if let Some(rest) = starts_import(&statement) {
-                let (clause, address) =
-                    parts(rest).ok_or_else(|| failed(format!("cannot read `{statement}`")))?;
-                let target =
-                    resolve(path, &address).ok_or_else(|| failed(format!("\"{address}\" leads nowhere")))?;
-                let from = self.need(&target, importers)?;
-                if let Some(clause) = clause {
-                    let names = names(&clause).ok_or_else(|| failed(format!("cannot read `{statement}`")))?;
-                    let taken: Vec<_> = names.iter().map(|(name, local)| pair(name, local)).collect();
-                    let _ = writeln!(body, "const {{ {} }} = {from};", taken.join(", "));
-                }
-            } else if let Some(rest) = statement.strip_prefix("export ") {
-                if rest.starts_with('{') {
-                    let list = rest.trim_end().trim_end_matches(';');
-                    let names = names(list).ok_or_else(|| failed(format!("cannot read `{statement}`")))?;
-                    exports.extend(names.into_iter().map(|(name, exported)| (exported, name)));
-                } else {
-                    let name =
-                        declared_name(rest).ok_or_else(|| failed(format!("cannot export `{statement}`")))?;
-                    exports.push((name.to_owned(), name.to_owned()));
-                    body.push_str(rest);
-                    body.push('\n');
-                }
-            } else {
-                body.push_str(&statement);
-                body.push('\n');
-            }
-        }
-        importers.pop();
-        let returned: Vec<_> = exports.iter().map(|(exported, name)| pair(exported, name)).collect();
-        let name = variable(path);
-        let _ = writeln!(
-            self.joined,
-            "// {path}\nconst {name} = (() => {{\n{body}return {{ {} }};\n}})();",
-            returned.join(", ")
-        );
-        self.names.push(path.to_owned());
-        Ok(exports.into_iter().map(|(exported, _)| exported).collect())
-    }
-
-    /// The variable that holds what a module exports; joins the module first where need be.
-    fn need(&mut self, target: &str, importers: &mut Vec<String>) -> Result<String, Failure> {
-        let held = |host: Host<'_>| host.holds.iter().any(|name| name == target);
-        if self.host.is_some_and(held) {
-            let name = variable(target);
-            if !self.taken.contains(&name) {
-                self.taken.push(name);
-            }
-        } else if self.apart.contains(&target) || !self.modules.contains_key(target) {
-            let address = relative(self.entry, target);
-            if !self.outside.iter().any(|(known, _)| *known == address) {
-                self.outside.push((address, variable(target)));
-            }
-        } else if importers.iter().any(|importer| importer == target) {
+impl Plan<'_> {
+    /// Puts a module, and before it all that it imports, into a file, but for what is in one already.
+    fn assign(&mut self, path: &str, file: &str, importers: &mut Vec<String>) -> Result<(), Failure> {
+        if importers.iter().any(|importer| importer == path) {
             return Err(Failure::invalid(
-                target,
+                path,
                 format!("it is imported in a circle: {}", importers.join(", ")),
             ));
-        } else if !self.names.iter().any(|name| name == target) {
-            self.add(target, importers)?;
         }
-        Ok(variable(target))
+        let Some(module) = self.read.get(path) else { return Ok(()) };
+        if self.file_of.contains_key(path) {
+            return Ok(());
+        }
+        importers.push(path.to_owned());
+        for (target, _) in &module.imports {
+            self.assign(target, file, importers)?;
+        }
+        importers.pop();
+        self.order.push(path.to_owned());
+        self.file_of.insert(path.to_owned(), file.to_owned());
+        Ok(())
+    }
+
+    /// Puts what is imported later into files: what one such import alone needs into its own, what several need into one for
+    /// just these.
+    fn assign_later(&mut self, entries: &[&str]) -> Result<(), Failure> {
+        let mut wanted: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+        let later: BTreeSet<&str> = self.read.values().flat_map(Module::later).collect();
+        for &root in later.iter().filter(|root| !entries.contains(root)) {
+            for path in closure(self.read, root) {
+                wanted.entry(path).or_default().insert(root.to_owned());
+            }
+        }
+        let mut shared: BTreeMap<BTreeSet<String>, String> = BTreeMap::new();
+        // In the order of their imports: a file that several share is then named after what is deepest in it.
+        for &root in &later {
+            for path in closure(self.read, root) {
+                let Some(roots) = wanted.get(&path) else { continue };
+                if self.file_of.contains_key(&path) {
+                    continue;
+                }
+                let file = match roots.first() {
+                    Some(only) if roots.len() == 1 => only.clone(),
+                    _ => shared.entry(roots.clone()).or_insert_with(|| path.clone()).clone(),
+                };
+                self.assign(&path, &file, &mut Vec::new())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A file's text.
+    fn text(&self, file: &str) -> String {
+        let mut outside: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+        let mut body = String::new();
+        for path in self.order.iter().filter(|path| self.file_of[*path] == file) {
+            let module = &self.read[path];
+            for (target, _) in &module.imports {
+                if self.file_of.get(target).is_none_or(|home| home != file) {
+                    let home = self.file_of.get(target).unwrap_or(target);
+                    outside.entry(relative(file, home)).or_default().insert(target.clone());
+                }
+            }
+            let mut text = taken(module, variable);
+            for piece in &module.body {
+                match piece {
+                    Piece::Code(code) => text.push_str(code),
+                    Piece::Here if path == file => text.push_str("import.meta.url"),
+                    Piece::Here => {
+                        let _ = write!(text, "new URL(\"{}\", import.meta.url).href", relative(file, path));
+                    }
+                    Piece::Later(target) => match self.file_of.get(target) {
+                        Some(home) => {
+                            let (home, name) = (relative(file, home), variable(target));
+                            let _ = write!(text, "import(\"{home}\").then(({{ {name} }}) => {name})");
+                        }
+                        None => {
+                            let _ = write!(text, "import(\"{}\")", relative(file, target));
+                        }
+                    },
+                }
+            }
+            let _ = writeln!(body, "const {} = (() => {{\n{text}{}}})();", variable(path), returned(module));
+        }
+        let mut whole = String::new();
+        for (address, targets) in outside {
+            for target in targets {
+                let name = variable(&target);
+                let _ = if self.file_of.contains_key(&target) {
+                    writeln!(whole, "import {{ {name} }} from \"{address}\";")
+                } else {
+                    writeln!(whole, "import * as {name} from \"{address}\";")
+                };
+            }
+        }
+        whole.push_str(&body);
+        let asked: Vec<_> = self.asked_for(file).iter().map(|path| variable(path)).collect();
+        if !asked.is_empty() {
+            let _ = writeln!(whole, "export {{ {} }};", asked.join(", "));
+        }
+        let exports: Vec<_> = match self.read.get(file) {
+            Some(module) => module.exports.iter().map(|(exported, _)| exported.as_str()).collect(),
+            None => Vec::new(),
+        };
+        if !exports.is_empty() {
+            let _ = writeln!(whole, "export const {{ {} }} = {};", exports.join(", "), variable(file));
+        }
+        whole
+    }
+
+    /// The modules in a file that modules in others ask for, at once or later.
+    fn asked_for(&self, file: &str) -> BTreeSet<String> {
+        let mut asked = BTreeSet::new();
+        for (path, home) in &self.file_of {
+            let module = &self.read[path];
+            let now = module.imports.iter().map(|(target, _)| target.as_str()).filter(|_| home != file);
+            for target in now.chain(module.later()) {
+                if self.file_of.get(target).is_some_and(|home| home == file) {
+                    asked.insert(target.to_owned());
+                }
+            }
+        }
+        asked
     }
 }
 
-/// The lines of a module, those of an import or of a list of exports made one.
-fn statements(text: &str) -> Vec<String> {
-    let mut found: Vec<String> = Vec::new();
-    let mut open = false;
-    for line in text.lines() {
-        if open {
-            if let Some(last) = found.last_mut() {
-                last.push(' ');
-                last.push_str(line.trim());
-            }
-        } else {
-            found.push(line.to_owned());
+/// Joins into plain scripts, one after the other, what each list of modules needs, at once or later; a script leaves to
+/// those before it what they have. Nothing runs until it is asked for: see `start`.
+#[cfg(test)] // until the single file is there
+pub fn scripts(modules: &Modules, lists: &[&[&str]]) -> Result<Vec<String>, Failure> {
+    let mut known: BTreeSet<String> = BTreeSet::new();
+    let mut scripts = Vec::new();
+    for roots in lists {
+        let read = read(modules, roots)?;
+        // Refuses what goes round in a circle.
+        let mut plan = Plan { read: &read, order: Vec::new(), file_of: BTreeMap::new() };
+        for path in read.keys() {
+            plan.assign(path, path, &mut Vec::new())?;
         }
-        let starts = starts_import(line).is_some() || line.starts_with("export {");
-        open = (open || starts) && !line.trim_end().ends_with(';');
+        let mut script = String::new();
+        if known.is_empty() {
+            script.push_str("const $once = (make) => {\nlet made;\nreturn () => (made ??= make());\n};\n");
+        }
+        for path in &plan.order {
+            if !known.insert(path.clone()) {
+                continue;
+            }
+            let module = &read[path];
+            if let Some((absent, _)) = module.imports.iter().find(|(target, _)| !read.contains_key(target)) {
+                return Err(Failure::invalid(path, format!("it imports {absent}, which is no module")));
+            }
+            let mut text = taken(module, |target| format!("{}()", variable(target)));
+            for piece in &module.body {
+                match piece {
+                    Piece::Code(code) => text.push_str(code),
+                    Piece::Here => text.push_str("self.location.href"),
+                    Piece::Later(target) => {
+                        let _ = write!(text, "Promise.resolve().then({})", variable(target));
+                    }
+                }
+            }
+            let _ =
+                writeln!(script, "const {} = $once(() => {{\n{text}{}}});", variable(path), returned(module));
+        }
+        scripts.push(script);
     }
+    Ok(scripts)
+}
+
+/// The line that starts a module of `scripts`.
+#[cfg(test)]
+pub fn start(path: &str) -> String {
+    format!("{}();", variable(path))
+}
+
+/// All modules that some import, at once or later, and they themselves.
+fn read(modules: &Modules, roots: &[&str]) -> Result<BTreeMap<String, Module>, Failure> {
+    let mut read: BTreeMap<String, Module> = BTreeMap::new();
+    let mut waiting: Vec<String> = roots.iter().map(|&root| root.to_owned()).collect();
+    for root in roots {
+        if !modules.contains_key(*root) {
+            return Err(Failure::invalid(*root, "there is no such module"));
+        }
+    }
+    while let Some(path) = waiting.pop() {
+        let Some(text) = modules.get(&path) else { continue };
+        if read.contains_key(&path) {
+            continue;
+        }
+        let module = Module::read(&path, text)?;
+        waiting.extend(module.imports.iter().map(|(target, _)| target.clone()));
+        for target in module.later() {
+            if !modules.contains_key(target) {
+                return Err(Failure::invalid(
+                    &path,
+                    format!("it imports {target} later, which is no module"),
+                ));
+            }
+            waiting.push(target.to_owned());
+        }
+        read.insert(path, module);
+    }
+    Ok(read)
+}
+
+/// A module and all that it imports at once, each after those it imports.
+fn closure(read: &BTreeMap<String, Module>, root: &str) -> Vec<String> {
+    fn visit(
+        read: &BTreeMap<String, Module>,
+        path: &str,
+        seen: &mut BTreeSet<String>,
+        found: &mut Vec<String>,
+    ) {
+        let Some(module) = read.get(path) else { return };
+        if !seen.insert(path.to_owned()) {
+            return;
+        }
+        for (target, _) in &module.imports {
+            visit(read, target, seen, found);
+        }
+        found.push(path.to_owned());
+    }
+    let mut found = Vec::new();
+    visit(read, root, &mut BTreeSet::new(), &mut found);
     found
 }
 
-/// What follows the word `import` of a static import.
-fn starts_import(line: &str) -> Option<&str> {
-    line.strip_prefix("import").filter(|rest| rest.starts_with([' ', '{', '*', '"', '\'']))
-}
-
-/// The list of names, if any, and the address of an import.
-fn parts(rest: &str) -> Option<(Option<String>, String)> {
-    let rest = rest.trim().strip_suffix(';')?;
-    let (clause, quoted) = match rest.split_once(" from ") {
-        Some((clause, quoted)) => (Some(clause.trim().to_owned()), quoted.trim()),
-        None => (None, rest),
-    };
-    let address = quoted.strip_prefix('"')?.strip_suffix('"')?;
-    Some((clause, address.to_owned()))
-}
-
-/// The names in `{ a, b as c }`: what each is called on the left of `as`, and on its right.
-fn names(list: &str) -> Option<Vec<(String, String)>> {
-    let inner = list.trim().strip_prefix('{')?.strip_suffix('}')?;
-    let names = inner.split(',').map(str::trim).filter(|name| !name.is_empty());
-    names
-        .map(|name| {
-            let (left, right) = name.split_once(" as ").unwrap_or((name, name));
-            (is_name(left) && is_name(right)).then(|| (left.to_owned(), right.to_owned()))
-        })
-        .collect()
-}
-
-fn is_name(name: &str) -> bool {
-    !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '$')
-}
-
-fn pair(key: &str, value: &str) -> String {
-    if key == value { key.to_owned() } else { format!("{key}: {value}") }
-}
-
-/// The name that an exported declaration declares; none for what cannot be returned once and for all.
-fn declared_name(declaration: &str) -> Option<&str> {
-    let kinds = ["async function ", "function ", "class ", "const "];
-    let rest = kinds.iter().find_map(|kind| declaration.strip_prefix(kind))?;
-    let end = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '$'))?;
-    (end > 0).then(|| &rest[..end])
-}
-
-/// The variable of a module: its path with a sign that no name of ours begins with.
-fn variable(path: &str) -> String {
-    let plain: String = path.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
-    format!("${plain}")
-}
-
-/// The path that a relative address leads to.
-fn resolve(from: &str, address: &str) -> Option<String> {
-    let mut folders: Vec<&str> = from.split('/').collect();
-    folders.pop();
-    for step in address.split('/') {
-        match step {
-            "." => {}
-            ".." => {
-                folders.pop()?;
-            }
-            name => folders.push(name),
-        }
+/// The lines that take what a module imports; `whose` says how a module is had.
+fn taken(module: &Module, whose: impl Fn(&str) -> String) -> String {
+    let mut lines = String::new();
+    for (target, names) in &module.imports {
+        let names: Vec<_> = names.iter().map(|(name, local)| pair(name, local)).collect();
+        let _ = if names.is_empty() {
+            writeln!(lines, "{};", whose(target))
+        } else {
+            writeln!(lines, "const {{ {} }} = {};", names.join(", "), whose(target))
+        };
     }
-    address.starts_with('.').then(|| folders.join("/"))
+    lines
 }
 
-/// The relative address of a file as seen from another.
-fn relative(from: &str, to: &str) -> String {
-    let from: Vec<&str> = from.split('/').collect();
-    let to: Vec<&str> = to.split('/').collect();
-    let shared = from.iter().zip(&to).take_while(|(one, other)| one == other).count().min(from.len() - 1);
-    let up = from.len() - 1 - shared;
-    let start = if up == 0 { "./".to_owned() } else { "../".repeat(up) };
-    format!("{start}{}", to[shared..].join("/"))
+/// The line that returns what a module exports.
+fn returned(module: &Module) -> String {
+    let exports: Vec<_> = module.exports.iter().map(|(exported, name)| pair(exported, name)).collect();
+    format!("return {{ {} }};\n", exports.join(", "))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Host, Modules, link, relative, resolve};
+    use super::{Modules, files, scripts, start};
 
     fn modules(texts: &[(&str, &str)]) -> Modules {
         texts.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect()
     }
 
+    fn place(text: &str, part: &str) -> usize {
+        text.find(part).unwrap_or_else(|| panic!("`{part}` is not in\n{text}"))
+    }
+
     #[test]
     fn modules_are_joined_in_the_order_of_their_imports_each_once() {
-        let joined = link(
-            &modules(&[
-                ("www/main.js", "import { one } from \"./a/one.js\";\nimport {\n  two as second,\n  three,\n} from \"./a/two.js\";\none(second, three);\n"),
-                ("www/a/one.js", "import { two } from \"./two.js\";\nexport function one() {\n  return two;\n}\n"),
-                ("www/a/two.js", "const hidden = 2;\nexport const two = hidden;\nexport { hidden as three };\n"),
-            ]),
-            "www/main.js",
-            &[],
-            None,
-        )
-        .unwrap()
-        .text;
-        let place = |text: &str| joined.find(text).unwrap_or_else(|| panic!("`{text}` is not in\n{joined}"));
-        assert!(place("// www/a/two.js") < place("// www/a/one.js"));
-        assert!(place("// www/a/one.js") < place("// www/main.js"));
-        place("return { two, three: hidden };");
-        place("const { two: second, three } = $www_a_two_js;");
-        place("function one() {");
+        let modules = modules(&[
+            (
+                "www/main.js",
+                "import { one } from \"./a/one.js\";\nimport {\n  two as second,\n  three,\n} from \"./a/two.js\";\none(second, three);\n",
+            ),
+            (
+                "www/a/one.js",
+                "import { two } from \"./two.js\";\nexport function one() {\n  return two;\n}\n",
+            ),
+            ("www/a/two.js", "const hidden = 2;\nexport const two = hidden;\nexport { hidden as three };\n"),
+        ]);
+        let joined = &files(&modules, &["www/main.js"]).unwrap()["www/main.js"];
+        assert!(place(joined, "const $www_a_two_js") < place(joined, "const $www_a_one_js"));
+        assert!(place(joined, "const $www_a_one_js") < place(joined, "const $www_main_js"));
+        place(joined, "return { two, three: hidden };");
+        place(joined, "const { two: second, three } = $www_a_two_js;");
+        place(joined, "function one() {");
         assert_eq!(joined.matches("const hidden").count(), 1);
         assert!(!joined.contains("import ") && !joined.contains("export "));
     }
 
     #[test]
-    fn what_stays_apart_is_imported_from_where_the_joined_file_lies() {
-        let joined = link(
+    fn an_entry_leaves_to_those_before_it_what_they_have() {
+        let joined = files(
             &modules(&[
                 ("www/engine/running.js", "import { load } from \"../../gear.js\";\nimport { x } from \"./x.js\";\nexport const engine = load(x);\n"),
-                ("www/engine/x.js", "export const x = 1;\n"),
+                ("www/engine/x.js", "export const x = new URL(\"./w.js\", import.meta.url);\n"),
+                ("www/main.js", "import { engine } from \"./engine/running.js\";\nimport { x } from \"./engine/x.js\";\nengine(x);\n"),
             ]),
-            "www/engine/running.js",
-            &["www/engine/x.js"],
-            None,
+            &["www/engine/running.js", "www/main.js"],
         )
-        .unwrap()
-        .text;
-        assert!(joined.starts_with(
-            "import * as $gear_js from \"../../gear.js\";\nimport * as $www_engine_x_js from \"./x.js\";\n"
+        .unwrap();
+        let running = &joined["www/engine/running.js"];
+        assert!(running.starts_with("import * as $gear_js from \"../../gear.js\";\nconst $www_engine_x_js"));
+        place(running, "new URL(\"./w.js\", new URL(\"./x.js\", import.meta.url).href)");
+        assert!(running.ends_with(
+            "export { $www_engine_running_js, $www_engine_x_js };\nexport const { engine } = $www_engine_running_js;\n"
         ));
-        assert!(joined.ends_with("export const { engine } = $www_engine_running_js;\n"));
+        assert!(joined["www/main.js"].starts_with(
+            "import { $www_engine_running_js } from \"./engine/running.js\";\nimport { $www_engine_x_js } from \"./engine/running.js\";\n"
+        ));
+        assert_eq!(joined.len(), 2);
     }
 
-    #[test]
-    fn what_is_fetched_later_takes_from_its_host_what_is_there() {
-        let modules = modules(&[
-            ("www/main.js", "import { say } from \"./words/say.js\";\nsay(1);\n"),
-            ("www/words/say.js", "export const say = (word) => word;\n"),
+    /// A page with two rooms that share something, and a house that all have.
+    fn house() -> Modules {
+        modules(&[
             (
-                "www/lab/lab.js",
-                "import { say } from \"../words/say.js\";\nimport { own } from \"./own.js\";\nexport const start = () => say(own);\n",
-            ),
-            ("www/lab/own.js", "import { say } from \"../words/say.js\";\nexport const own = say(2);\n"),
-        ]);
-        let mut main = link(&modules, "www/main.js", &[], None).unwrap();
-        let host = Host { entry: "www/main.js", holds: &main.holds };
-        let lab = link(&modules, "www/lab/lab.js", &[], Some(host)).unwrap();
-        assert!(lab.text.starts_with("import { $www_words_say_js } from \"../main.js\";\n"), "{}", lab.text);
-        assert!(!lab.text.contains("// www/words/say.js") && lab.text.contains("// www/lab/own.js"));
-        main.offer();
-        assert!(main.text.ends_with("export { $www_words_say_js, $www_main_js };\n"), "{}", main.text);
-    }
-
-    #[test]
-    fn what_cannot_be_joined_is_refused() {
-        for text in [
-            "export let count = 0;\n",
-            "export default 3;\n",
-            "import all from \"./b.js\";\n",
-            "import { main } from \"./main.js\";\nexport const b = 1;\n",
-            "import { b } from \"b\";\n",
-        ] {
-            let refused = link(
-                &modules(&[("www/main.js", text), ("www/b.js", "export const b = 1;\n")]),
                 "www/main.js",
-                &[],
-                None,
+                "import { house } from \"./house.js\";\nhouse(() => import(\"./lab/room.js\"), () => import(\"./class/room.js\"));\n",
+            ),
+            ("www/house.js", "export const house = 1;\n"),
+            ("www/shared.js", "import { house } from \"./house.js\";\nexport const shared = house;\n"),
+            ("www/lab/room.js", "import { shared } from \"../shared.js\";\nexport const lab = shared;\n"),
+            (
+                "www/class/room.js",
+                "import { shared } from \"../shared.js\";\nimport { own } from \"./own.js\";\nexport const room = shared + own;\n",
+            ),
+            ("www/class/own.js", "export const own = 1;\n"),
+        ])
+    }
+
+    #[test]
+    fn what_is_imported_later_is_in_files_of_its_own_and_no_module_is_in_two() {
+        let joined = files(&house(), &["www/main.js"]).unwrap();
+        let names: Vec<_> = joined.keys().map(String::as_str).collect();
+        assert_eq!(names, ["www/class/room.js", "www/lab/room.js", "www/main.js", "www/shared.js"]);
+        place(
+            &joined["www/main.js"],
+            "() => import(\"./lab/room.js\").then(({ $www_lab_room_js }) => $www_lab_room_js)",
+        );
+        place(&joined["www/main.js"], "export { $www_house_js };");
+        assert!(joined["www/shared.js"].starts_with("import { $www_house_js } from \"./main.js\";"));
+        assert!(joined["www/lab/room.js"].starts_with("import { $www_shared_js } from \"../shared.js\";"));
+        place(&joined["www/class/room.js"], "const $www_class_own_js");
+        for module in ["house", "shared", "lab_room", "class_room", "class_own"] {
+            let declared = format!("const $www_{module}_js =");
+            assert_eq!(
+                joined.values().map(|text| text.matches(&declared).count()).sum::<usize>(),
+                1,
+                "{module}"
             );
-            assert!(refused.is_err(), "{text}");
         }
     }
 
     #[test]
-    fn addresses_lead_there_and_back() {
-        for (from, to, address) in [
-            ("www/main.js", "www/figure/bar.js", "./figure/bar.js"),
-            ("www/engine/running.js", "gear.js", "../../gear.js"),
-            ("www/figure/a.js", "www/controls/b.js", "../controls/b.js"),
+    fn scripts_hold_everything_once_and_run_nothing() {
+        let joined = scripts(&house(), &[&["www/shared.js"], &["www/main.js"]]).unwrap();
+        assert_eq!(joined.len(), 2);
+        assert!(joined[0].starts_with("const $once = "));
+        place(&joined[0], "const $www_shared_js = $once(() => {\nconst { house } = $www_house_js();\n");
+        place(&joined[1], "Promise.resolve().then($www_lab_room_js)");
+        place(&joined[1], "const $www_class_own_js = $once");
+        assert!(!joined[1].contains("const $www_house_js") && !joined[1].contains("$once = "));
+        assert_eq!(start("www/main.js"), "$www_main_js();");
+        assert!(joined.iter().all(|script| !script.contains("import") && !script.contains("export")));
+    }
+
+    #[test]
+    fn circles_and_what_is_not_there_are_refused() {
+        let circle = "import { main } from \"./main.js\";\nexport const b = 1;\n";
+        for (main, other) in [
+            ("import { b } from \"./b.js\";\nexport const main = 1;\n", circle),
+            ("import(\"./absent.js\");\n", circle),
         ] {
-            assert_eq!(relative(from, to), address);
-            assert_eq!(resolve(from, address).as_deref(), Some(to));
+            let modules = modules(&[("www/main.js", main), ("www/b.js", other)]);
+            assert!(files(&modules, &["www/main.js"]).is_err(), "{main}");
+            assert!(scripts(&modules, &[&["www/main.js"]]).is_err(), "{main}");
         }
+        let absent = modules(&[("www/main.js", "import { x } from \"./x.js\";\n")]);
+        assert!(scripts(&absent, &[&["www/main.js"]]).is_err());
+        assert!(files(&absent, &["www/absent.js"]).is_err());
     }
 }

@@ -3,6 +3,8 @@
 mod bindings;
 mod link;
 mod module;
+mod modules;
+mod script;
 mod site;
 
 use crate::command::{cargo, run};
@@ -37,11 +39,23 @@ impl Built {
     }
 }
 
-/// Builds everything into `out`.
+/// Compiles the library to wasm.
+pub fn compile() -> Result<(), Failure> {
+    tools::ensure_wasm_target()?;
+    run(&mut cargo(&["build", "--quiet", "--release", "--lib", "--target", "wasm32-unknown-unknown"]))
+}
+
+/// Compiles, and builds everything into `out`.
 pub fn build(out: &Path) -> Result<Built, Failure> {
     let start = Instant::now();
-    tools::ensure_wasm_target()?;
-    run(&mut cargo(&["build", "--quiet", "--release", "--lib", "--target", "wasm32-unknown-unknown"]))?;
+    compile()?;
+    let built = around_compiled(out)?;
+    Ok(Built { took: start.elapsed(), ..built })
+}
+
+/// Builds everything into `out` around the wasm that was compiled last.
+pub fn around_compiled(out: &Path) -> Result<Built, Failure> {
+    let start = Instant::now();
     let generated = bindings::generate(&tools::wasm_artifact(), &place::scratch().join("bindings"))?;
     let gzipped = gzipped_size(&generated.wasm);
     if gzipped > WASM_CEILING {

@@ -1,8 +1,8 @@
 //! The static folder: what is in it, and how it is brought up to date.
 
 use super::bindings::Generated;
-use super::link::{self, Host, Modules};
-use super::module;
+use super::modules::Modules;
+use super::{link, module, script};
 use crate::{Failure, place};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -13,14 +13,9 @@ const MODULE: &str = "gear-bifurcations.js";
 /// Files of `www/` that are sources of others or serve only the type checker.
 const NOT_SERVED: [&str; 2] = ["engine/gear-bifurcations.js", "engine/bindings.js"];
 
-/// Modules that the document or a worker is started with; each is served joined with all that it imports, but for the
-/// others of them.
-const ENTRIES: [&str; 3] = ["www/engine/running.js", MAIN, "www/engine/worker.js"];
-
-const MAIN: &str = "www/main.js";
-
-/// Modules that `main.js` fetches when they are wanted; each is served joined with what `main.js` does not hold.
-const LATER: [&str; 3] = ["www/lab/lab.js", "www/classroom/classroom.js", "www/words/de/index.js"];
+/// Modules that something is started with, in lists of those that live in one page or worker together. Each is served
+/// joined with all that it imports.
+const ENTRIES: [&[&str]; 2] = [&["www/engine/running.js", "www/main.js"], &["www/engine/worker.js"]];
 
 /// The files of the static folder, by their path in it.
 #[derive(Default)]
@@ -32,7 +27,7 @@ pub fn gather(root: &Path, generated: &Generated) -> Result<Site, Failure> {
     let www = root.join("www");
     let handwritten = www.join("engine/gear-bifurcations.js");
     let handwritten = std::fs::read_to_string(&handwritten).map_err(Failure::file(&handwritten))?;
-    site.add(MODULE, module::splice(&handwritten, &generated.glue)?);
+    site.add(MODULE, script::bare(&module::splice(&handwritten, &generated.glue)?));
     site.add("gear-bifurcations_bg.wasm", generated.wasm.clone());
     site.add("package.json", package());
     site.copy(&www.join("engine/gear-bifurcations.d.ts"), "gear-bifurcations.d.ts")?;
@@ -49,17 +44,10 @@ pub fn gather(root: &Path, generated: &Generated) -> Result<Site, Failure> {
             site.copy(&from, &path)?;
         }
     }
-    let apart = [&ENTRIES[..], &LATER].concat();
-    for entry in ENTRIES {
-        let mut linked = link::link(&modules, entry, &apart, None)?;
-        if entry == MAIN {
-            let host = Host { entry, holds: &linked.holds };
-            for later in LATER {
-                site.add(later, link::link(&modules, later, &apart, Some(host))?.text);
-            }
-            linked.offer();
+    for entries in ENTRIES {
+        for (path, text) in link::files(&modules, entries)? {
+            site.add(&path, text);
         }
-        site.add(entry, linked.text);
     }
     // Each figure as a drawing, for readers without scripts and until the live one is there. A test proves that they
     // are what the library draws today, so that the build need not compile it twice.
