@@ -200,6 +200,26 @@ pub enum ChartError {
         /// What is wrong with it, in words.
         fault: &'static str,
     },
+    /// A part of a drawing was asked for that it has not.
+    Unknown {
+        /// What kind of part: `frame` or `series`.
+        what: &'static str,
+        /// Its name as given.
+        given: String,
+        /// The names there are.
+        known: Vec<String>,
+    },
+    /// A window that shows nothing.
+    Window {
+        /// Name of the frame.
+        frame: String,
+        /// Its lower end as given.
+        low: f64,
+        /// Its upper end as given.
+        high: f64,
+        /// Whether it is the frame that has no axes.
+        bare: bool,
+    },
 }
 
 /// What a figure can fail with.
@@ -309,6 +329,17 @@ impl fmt::Display for ChartError {
             ),
             Self::NotFinite { name } => write!(f, "\"{name}\" holds a value that is no finite number"),
             Self::Malformed { name, fault } => write!(f, "\"{name}\" cannot be drawn: {fault}"),
+            Self::Unknown { what, given, known } => {
+                write!(f, "there is no {what} \"{given}\" in the drawing: it has {}", known.join(", "))
+            }
+            Self::Window { frame, bare: true, .. } => {
+                write!(f, "\"{frame}\" has no axes of which a part could be shown")
+            }
+            Self::Window { frame, low, high, .. } => write!(
+                f,
+                "\"{frame}\" cannot show its axis from {low} to {high}: it must rise, within \u{b1}1e12, by more than a \
+                 billionth of its greater end"
+            ),
         }
     }
 }

@@ -8,7 +8,7 @@ mod recorder;
 use demonstration::{all, axis, frame, pitchforks, response, series};
 use gear_bifurcations::chart::metrics::width;
 use gear_bifurcations::chart::{
-    Drawing, FrameMap, Mark, Role, SvgSurface, Theme, View, draw, pleasant_height, svg,
+    Drawing, FrameMap, Mark, Role, Selection, SvgSurface, Theme, View, Window, draw, pleasant_height, svg,
 };
 use gear_bifurcations::error::ChartError;
 use plotters::prelude::{IntoFont, TextStyle};
@@ -49,55 +49,144 @@ fn letter_boxes(calls: &[(Option<String>, Call)]) -> Vec<(String, [f64; 4])> {
         .collect()
 }
 
+/// Nothing but single marks is drawn outside of the frame it belongs to; says how many points were looked at.
+fn assert_within(name: &str, drawing: &Drawing, size: (f64, f64)) -> usize {
+    let (maps, calls) = recorded(drawing, size, 100);
+    let mut checked = 0;
+    for (owner, call) in &calls {
+        let Some(series) = owner.as_ref().and_then(|name| drawing.series.iter().find(|s| s.name == *name))
+        else {
+            continue;
+        };
+        let points = match call {
+            Call::Path { points, .. } | Call::Cloud { points, .. } => points.clone(),
+            Call::Polygon { corners } => corners.clone(),
+            Call::Rectangle { corners } | Call::Image { corners, .. } => corners.to_vec(),
+            Call::Circle { .. } | Call::Letters { .. } => continue,
+        };
+        if series.mark == Mark::Marks {
+            continue;
+        }
+        let [left, top, right, bottom] = maps[series.frame].plot;
+        for [x, y] in points {
+            let inside = (left..=right).contains(&x) && (top..=bottom).contains(&y);
+            assert!(inside, "{name} at {size:?}: {} at {x}, {y}", series.name);
+            checked += 1;
+        }
+    }
+    checked
+}
+
+/// No word is cut off by the picture's edge, and none lies over another.
+fn assert_words_apart(name: &str, calls: &[(Option<String>, Call)], (width, height): (f64, f64)) {
+    let boxes = letter_boxes(calls);
+    assert!(boxes.len() > 3);
+    for (i, (text, [left, top, right, bottom])) in boxes.iter().enumerate() {
+        let inside = *left >= 0.0 && *top >= 0.0 && *right <= width && *bottom <= height;
+        assert!(inside, "{name} at {width}: \"{text}\" is cut off");
+        for (other, [l, t, r, b]) in &boxes[..i] {
+            let apart = r <= left || right <= l || b <= top || bottom <= t;
+            assert!(apart, "{name} at {width}: \"{text}\" lies over \"{other}\"");
+        }
+    }
+}
+
+/// The part of every frame about a place (fractions of its axes) that is so much smaller than the whole.
+fn zoomed(drawing: &Drawing, place: [f64; 2], zoom: f64) -> Drawing {
+    let windows = drawing.frames.iter().filter(|frame| !frame.bare && frame.z.is_none()).map(|frame| {
+        let part = |low: f64, high: f64, fraction: f64| {
+            let (middle, half) = (low + fraction * (high - low), 0.5 * (high - low) / zoom);
+            Some([middle - half, middle + half])
+        };
+        Window {
+            frame: frame.name.clone(),
+            x: part(frame.x.low, frame.x.high, place[0]),
+            y: part(frame.y.low, frame.y.high, place[1]),
+        }
+    });
+    Selection { windows: windows.collect(), hidden: Vec::new() }.of(drawing.clone()).unwrap()
+}
+
 #[test]
 fn no_curve_band_or_cloud_leaves_its_frame() {
     for (name, drawing, aspect) in all() {
         for width in WIDTHS {
-            let (maps, calls) = recorded(&drawing, (width, pleasant_height(&drawing, aspect, width)), 100);
-            let mut checked = 0;
-            for (owner, call) in &calls {
-                let Some(series) =
-                    owner.as_ref().and_then(|name| drawing.series.iter().find(|s| s.name == *name))
-                else {
-                    continue;
-                };
-                let points = match call {
-                    Call::Path { points, .. } | Call::Cloud { points, .. } => points.clone(),
-                    Call::Polygon { corners } => corners.clone(),
-                    Call::Rectangle { corners } | Call::Image { corners, .. } => corners.to_vec(),
-                    Call::Circle { .. } | Call::Letters { .. } => continue,
-                };
-                if series.mark == Mark::Marks {
-                    continue;
-                }
-                let [left, top, right, bottom] = maps[series.frame].plot;
-                for [x, y] in points {
-                    let inside = (left..=right).contains(&x) && (top..=bottom).contains(&y);
-                    assert!(inside, "{name} at {width}: {} at {x}, {y}", series.name);
-                    checked += 1;
-                }
-            }
+            let size = (width, pleasant_height(&drawing, aspect, width));
+            let checked = assert_within(name, &drawing, size);
             assert!(checked > 20, "{name} at {width}: only {checked} points");
         }
     }
 }
 
 #[test]
+fn nothing_leaves_its_frame_when_a_part_of_it_is_shown() {
+    for (name, drawing, aspect) in all() {
+        let size = (640.0, pleasant_height(&drawing, aspect, 640.0));
+        for place in [[0.5, 0.5], [0.3, 0.7], [0.0, 0.0], [0.93, 0.4]] {
+            for zoom in [0.5, 3.0, 40.0, 1e4, 1e6] {
+                assert_within(name, &zoomed(&drawing, place, zoom), size);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_window_has_ticks_and_a_map_of_its_own_and_words_that_keep_apart() {
+    for (name, drawing, aspect) in all() {
+        let size = (640.0, pleasant_height(&drawing, aspect, 640.0));
+        for zoom in [0.6, 3.0, 40.0, 2000.0] {
+            let part = zoomed(&drawing, [0.4, 0.55], zoom);
+            let (maps, calls) = recorded(&part, size, 100);
+            assert_words_apart(name, &calls, size);
+            for (map, frame) in maps.iter().zip(&part.frames) {
+                assert_eq!((map.x, map.y), ((frame.x.low, frame.x.high), (frame.y.low, frame.y.high)));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_field_is_sharp_when_a_part_of_it_is_shown() {
+    let pixels = |drawing: &Drawing| {
+        let (_, calls) = recorded(drawing, (700.0, 420.0), 100);
+        calls.into_iter().find_map(|(_, call)| match call {
+            Call::Image { columns, pixels, corners } => Some((columns, pixels, corners)),
+            _ => None,
+        })
+    };
+    let whole = demonstration::field();
+    let (columns, image, [upper, lower]) = pixels(&zoomed(&whole, [0.75, 0.5], 20.0)).expect("an image");
+    // As many pixels as the plot has, whatever part is shown, and neighbours that hardly differ.
+    assert!((columns as f64 - (lower[0] - upper[0])).abs() <= 1.0, "{columns}");
+    let shades: Vec<u8> = image[..columns].iter().copied().filter(|&shade| shade < 64).collect();
+    assert!(shades.len() > columns / 2, "{} of {columns}", shades.len());
+    assert!(shades.windows(2).all(|pair| pair[0].abs_diff(pair[1]) <= 1));
+}
+
+#[test]
 fn no_word_is_cut_off_and_none_lies_over_another() {
     for (name, drawing, aspect) in all() {
         for width in WIDTHS {
-            let height = pleasant_height(&drawing, aspect, width);
-            let (_, calls) = recorded(&drawing, (width, height), 100);
-            let boxes = letter_boxes(&calls);
-            assert!(boxes.len() > 3);
-            for (i, (text, [left, top, right, bottom])) in boxes.iter().enumerate() {
-                let inside = *left >= 0.0 && *top >= 0.0 && *right <= width && *bottom <= height;
-                assert!(inside, "{name} at {width}: \"{text}\" is cut off");
-                for (other, [l, t, r, b]) in &boxes[..i] {
-                    let apart = r <= left || right <= l || b <= top || bottom <= t;
-                    assert!(apart, "{name} at {width}: \"{text}\" lies over \"{other}\"");
-                }
-            }
+            let size = (width, pleasant_height(&drawing, aspect, width));
+            assert_words_apart(name, &recorded(&drawing, size, 100).1, size);
+        }
+    }
+}
+
+#[test]
+fn large_letters_keep_apart_as_well() {
+    let projector = Theme::by_name("projector").unwrap();
+    for (name, drawing, aspect) in all() {
+        for width in [720.0, 1280.0, 1920.0] {
+            let size = (width, pleasant_height(&drawing, aspect, width));
+            let mut recorder = Recorder::new(size.0, size.1, 100);
+            draw(&mut recorder, &drawing, &projector, &View::default()).unwrap();
+            assert_words_apart(name, &recorder.calls, size);
+            let largest = recorder.calls.iter().filter_map(|(_, call)| match call {
+                Call::Letters { runs, .. } => runs.first().map(|run| run.size),
+                _ => None,
+            });
+            assert!(largest.fold(0.0, f64::max) >= 17.0);
         }
     }
 }
@@ -377,7 +466,7 @@ fn every_demonstration_is_drawn_in_every_theme_and_width() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("target/gallery");
     std::fs::create_dir_all(&folder).unwrap();
     for (name, drawing, aspect) in all() {
-        for theme in ["light", "dark"] {
+        for theme in Theme::NAMES {
             for width in [900.0_f64, 360.0] {
                 let size = (width, pleasant_height(&drawing, aspect, width));
                 let look = Theme::by_name(theme).unwrap();

@@ -42,11 +42,11 @@ pub fn draw_axes<S: Surface>(
     grid.extend(
         rows.iter().filter(|&&y| plot.bottom - y > 1.5).map(|&y| vec![[plot.left, y], [plot.right, y]]),
     );
-    painter.strokes(&grid, theme.grid, GRID_WIDTH, 1.0)?;
+    painter.strokes(&grid, theme.grid, GRID_WIDTH * theme.lines, 1.0)?;
     let mut lines = vec![vec![[plot.left, plot.top], [plot.left, plot.bottom], [plot.right, plot.bottom]]];
     lines.extend(columns.iter().map(|&x| vec![[x, plot.bottom], [x, plot.bottom + TICK]]));
     lines.extend(rows.iter().map(|&y| vec![[plot.left, y], [plot.left - TICK, y]]));
-    painter.strokes(&lines, theme.axis, AXIS_WIDTH, 1.0)?;
+    painter.strokes(&lines, theme.axis, AXIS_WIDTH * theme.lines, 1.0)?;
 
     let cap = CAPITAL_HEIGHT * sizes.tick;
     let number_line = plot.bottom + TICK + TICK_GAP + cap + 1.0;

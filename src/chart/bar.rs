@@ -71,7 +71,7 @@ pub fn draw_bar<S: Surface>(
         [whole.left, whole.bottom],
         [whole.left, whole.top],
     ];
-    painter.strokes(&[corners.to_vec()], theme.axis, 0.8, 1.0)?;
+    painter.strokes(&[corners.to_vec()], theme.axis, 0.8 * theme.lines, 1.0)?;
     let size = panel.sizes.tick;
     let cap = CAPITAL_HEIGHT * size;
     let mut lines = Vec::new();
@@ -82,7 +82,7 @@ pub fn draw_bar<S: Surface>(
         let at = [whole.right + TICK + TICK_GAP, y + cap / 2.0];
         painter.label(&set(text, size, Face::Regular), at, Align::Left, theme.quiet, None)?;
     }
-    painter.strokes(&lines, theme.axis, 1.0, 1.0)?;
+    painter.strokes(&lines, theme.axis, theme.lines, 1.0)?;
     if bar.ticks.exponent != 0 {
         let factor = set(&format!("×10^{{{}}}", bar.ticks.exponent), size, Face::Regular);
         painter.label(&factor, [whole.left, whole.top - 5.0], Align::Left, theme.quiet, None)?;

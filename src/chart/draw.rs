@@ -51,7 +51,7 @@ pub fn draw<S: Surface>(
     painter.begin()?;
     painter.rectangle(&Rect { left: 0.0, top: 0.0, right: width, bottom: height }, theme.ground, 1.0)?;
     let mut maps = Vec::with_capacity(drawing.frames.len());
-    for (index, panel) in panels(drawing, width, height).iter().enumerate() {
+    for (index, panel) in panels(drawing, width, height, theme.letters).iter().enumerate() {
         let own: Vec<&Series> = drawing.series.iter().filter(|series| series.frame == index).collect();
         maps.push(draw_frame(&mut painter, drawing, index, panel, &own, theme, view)?);
     }
@@ -91,7 +91,13 @@ fn draw_frame<S: Surface>(
         .z
         .as_ref()
         .map(|z| Projection::new([&frame.x, &frame.y, z], &panel.plot, panel.sizes.tick, view));
-    let context = Context { theme, plot: panel.plot, mark: panel.sizes.mark, bar: frame.bar.as_ref() };
+    let context = Context {
+        theme,
+        plot: panel.plot,
+        mark: panel.sizes.mark,
+        bar: frame.bar.as_ref(),
+        bare: frame.bare,
+    };
     let anchors = if let Some(projection) = &solid {
         draw_box(painter, frame, panel, projection, theme)?;
         draw_solid(painter, own, projection, &context, &mut crowd)?
@@ -148,7 +154,7 @@ fn draw_labels<S: Surface>(
     let placed = place(&requests, crowd, within);
     for found in &placed {
         if let Some((from, to)) = found.leader {
-            painter.line(from, to, found.color, 0.7)?;
+            painter.line(from, to, found.color, 0.7 * theme.lines)?;
         }
     }
     for found in &placed {

@@ -37,9 +37,10 @@ pub struct Sizes {
 }
 
 impl Sizes {
-    /// Sizes that suit a cell of this width: smaller letters only where there is little room.
-    fn for_cell(width: f64) -> Self {
-        let tick = (10.5 + (width - 180.0) / 120.0).clamp(10.5, 13.0);
+    /// Sizes that suit a cell of this width: smaller letters only where there is little room. All are `letters` times
+    /// their usual size.
+    fn for_cell(width: f64, letters: f64) -> Self {
+        let tick = (10.5 + (width / letters - 180.0) / 120.0).clamp(10.5, 13.0) * letters;
         Self { tick, label: tick + 1.0, title: tick + 1.5, mark: (width / 300.0).clamp(0.75, 1.0) }
     }
 }
@@ -115,9 +116,10 @@ fn stacked(drawing: &Drawing) -> Arrangement {
 }
 
 /// The grid as the drawing asks for it, or, where its cells would be too narrow, the frames stacked.
-fn arrange(drawing: &Drawing, width: f64, height: f64) -> Arrangement {
+fn arrange(drawing: &Drawing, width: f64, height: f64, letters: f64) -> Arrangement {
+    let narrow = NARROW * letters;
     let (asked, stacked) = (as_asked(drawing), stacked(drawing));
-    if drawing.grid.0 < 2 || width / drawing.grid.0 as f64 >= NARROW || stacked.grid.1 == 0 {
+    if drawing.grid.0 < 2 || width / drawing.grid.0 as f64 >= narrow || stacked.grid.1 == 0 {
         return asked;
     }
     // How far the cells are from a pleasant form, and how far too narrow; of frames over several rows the whole counts.
@@ -128,7 +130,7 @@ fn arrange(drawing: &Drawing, width: f64, height: f64) -> Arrangement {
             let form = cell_width * place[2] as f64 / (cell_height * place[3] as f64);
             (form / PLEASANT).ln().abs()
         });
-        forms.sum::<f64>() / arrangement.places.len() as f64 + (NARROW / cell_width).ln().max(0.0)
+        forms.sum::<f64>() / arrangement.places.len() as f64 + (narrow / cell_width).ln().max(0.0)
     };
     if strain(&stacked) < strain(&asked) { stacked } else { asked }
 }
@@ -147,11 +149,11 @@ pub fn pleasant_height(drawing: &Drawing, aspect: f64, width: f64) -> f64 {
     height.clamp(SIDES.0, SIDES.1)
 }
 
-/// Places every frame in a picture of a width and height in CSS pixels.
-pub fn panels(drawing: &Drawing, width: f64, height: f64) -> Vec<Panel> {
-    let arrangement = arrange(drawing, width, height);
+/// Places every frame in a picture of a width and height in CSS pixels, its letters so many times their usual size.
+pub fn panels(drawing: &Drawing, width: f64, height: f64, letters: f64) -> Vec<Panel> {
+    let arrangement = arrange(drawing, width, height, letters);
     let (columns, rows) = (arrangement.grid.0.max(1), arrangement.grid.1.max(1));
-    let sizes = Sizes::for_cell(width / columns as f64);
+    let sizes = Sizes::for_cell(width / columns as f64, letters);
     let (gap_x, gap_y) =
         (if columns > 1 { 1.2 * sizes.tick } else { 0.0 }, if rows > 1 { 0.8 * sizes.tick } else { 0.0 });
     let cell_width = (width - 2.0 * EDGE - gap_x * (columns - 1) as f64) / columns as f64;
@@ -356,7 +358,7 @@ mod tests {
             let drawing = drawing(columns, rows);
             for width in [320.0, 360.0, 600.0, 900.0, 1600.0] {
                 let height = pleasant_height(&drawing, 1.4, width);
-                let found = panels(&drawing, width, height);
+                let found = panels(&drawing, width, height, 1.0);
                 for (i, panel) in found.iter().enumerate() {
                     assert!(panel.cell.grown(1.0).holds(&panel.plot), "{columns} {rows} {width}");
                     assert!(panel.plot.width() > 60.0 && panel.plot.height() > 40.0, "{:?}", panel.plot);
@@ -372,7 +374,7 @@ mod tests {
         let mut drawing = drawing(2, 2);
         drawing.frames[2].y.high = 0.001;
         drawing.frames[2].y.low = -0.0012;
-        let found = panels(&drawing, 900.0, 600.0);
+        let found = panels(&drawing, 900.0, 600.0, 1.0);
         assert_eq!(found[0].plot.left, found[2].plot.left);
         assert_eq!(found[0].plot.right, found[2].plot.right);
         assert_eq!(found[0].plot.bottom, found[1].plot.bottom);
@@ -381,11 +383,11 @@ mod tests {
     #[test]
     fn narrow_pictures_are_stacked_and_keep_the_frames_of_two_rows_high() {
         let mut drawing = drawing(2, 2);
-        assert_eq!(arrange(&drawing, 900.0, 600.0).grid, (2, 2));
-        assert_eq!(arrange(&drawing, 340.0, pleasant_height(&drawing, 1.4, 340.0)).grid, (1, 4));
+        assert_eq!(arrange(&drawing, 900.0, 600.0, 1.0).grid, (2, 2));
+        assert_eq!(arrange(&drawing, 340.0, pleasant_height(&drawing, 1.4, 340.0), 1.0).grid, (1, 4));
         drawing.frames.truncate(2);
         drawing.frames[0].span.1 = 2;
-        let found = arrange(&drawing, 340.0, pleasant_height(&drawing, 1.4, 340.0));
+        let found = arrange(&drawing, 340.0, pleasant_height(&drawing, 1.4, 340.0), 1.0);
         assert_eq!((found.grid, found.places), ((1, 3), vec![[0, 0, 1, 2], [0, 2, 1, 1]]));
     }
 }

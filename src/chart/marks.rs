@@ -25,31 +25,31 @@ pub fn draw_mark<S: Surface>(
     open: bool,
     theme: &Theme,
 ) -> Result<(), ChartError> {
-    let radius = look.radius;
+    let (radius, line) = (look.radius, theme.lines);
     match look.shape {
         Shape::Dot if open => {
             painter.disc(center, radius, theme.ground)?;
-            painter.circle(center, radius - 0.8, look.stroke, 1.6)
+            painter.circle(center, radius - 0.8 * line, look.stroke, 1.6 * line)
         }
         Shape::Dot => {
             painter.disc(center, radius + RIM, theme.ground)?;
             painter.disc(center, radius, look.stroke)?;
             match look.outline {
-                Some(outline) => painter.circle(center, radius - 0.4, outline, 0.8),
+                Some(outline) => painter.circle(center, radius - 0.4 * line, outline, 0.8 * line),
                 None => Ok(()),
             }
         }
         Shape::Ring => {
             painter.disc(center, radius + RIM, theme.ground)?;
-            painter.circle(center, radius - 0.8, look.stroke, 1.6)?;
+            painter.circle(center, radius - 0.8 * line, look.stroke, 1.6 * line)?;
             painter.disc(center, radius * 0.4, look.stroke)
         }
         Shape::Cross => {
             let arm = radius * 0.8;
             let arms = [[-arm, -arm], [-arm, arm]]
                 .map(|[x, y]| vec![[center[0] + x, center[1] + y], [center[0] - x, center[1] - y]]);
-            painter.strokes(&arms, theme.ground, 2.0 + 2.0 * RIM, 1.0)?;
-            painter.strokes(&arms, look.stroke, 2.0, 1.0)
+            painter.strokes(&arms, theme.ground, 2.0 * line + 2.0 * RIM, 1.0)?;
+            painter.strokes(&arms, look.stroke, 2.0 * line, 1.0)
         }
         Shape::Diamond => {
             let corners = outline(center, &[radius; 4], 0.0);
@@ -91,5 +91,6 @@ fn filled<S: Surface>(
     let closed: Vec<[f64; 2]> = corners.iter().chain(corners.iter().take(2)).copied().collect();
     painter.strokes(std::slice::from_ref(&closed), theme.ground, 2.0 * RIM + 1.0, 1.0)?;
     painter.polygon(corners, if open { theme.ground } else { look.stroke }, 1.0)?;
-    painter.strokes(&[closed], look.outline.unwrap_or(look.stroke), if open { 1.5 } else { 0.9 }, 1.0)
+    let width = if open { 1.5 } else { 0.9 } * theme.lines;
+    painter.strokes(&[closed], look.outline.unwrap_or(look.stroke), width, 1.0)
 }

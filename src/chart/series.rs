@@ -31,6 +31,8 @@ pub struct Context<'a> {
     pub mark: f64,
     /// Scale of the frame's fields.
     pub bar: Option<&'a Axis>,
+    /// Whether the frame is without axes: nothing then ends at the plot's edge.
+    pub bare: bool,
 }
 
 impl Context<'_> {
@@ -138,7 +140,7 @@ pub fn draw_plane<S: Surface>(
             if series.role == Role::QuasiPeriodic {
                 for center in visible.iter().flat_map(|piece| beads(piece)) {
                     painter.disc(center, look.radius, context.theme.ground)?;
-                    painter.circle(center, look.radius - 0.45, look.stroke, 0.9)?;
+                    painter.circle(center, look.radius - 0.45, look.stroke, 0.9 * context.theme.lines)?;
                 }
             }
             for piece in &visible {
@@ -162,7 +164,12 @@ pub fn draw_plane<S: Surface>(
         Mark::Cloud => {
             let seen: Vec<[f64; 2]> =
                 pixels.into_iter().filter(|point| context.plot.holds_point(*point, 0.0)).collect();
-            painter.cloud(&seen, cloud_diameter(series.role), look.stroke, look.opacity)?;
+            painter.cloud(
+                &seen,
+                cloud_diameter(series.role) * context.theme.marks,
+                look.stroke,
+                look.opacity,
+            )?;
             for &point in &seen {
                 crowd.add_point(point);
             }
@@ -184,7 +191,10 @@ pub fn draw_plane<S: Surface>(
             crowd.add_area(corners, look.fill.over(context.theme.ground, look.opacity));
             Anchor::Area(area, series.label_at)
         }),
-        Mark::Text => wanted.map(Anchor::Place),
+        // A text whose place is not shown names nothing that is.
+        Mark::Text => {
+            wanted.filter(|at| context.bare || context.plot.holds_point(*at, 0.5)).map(Anchor::Place)
+        }
         Mark::Field => None,
     })
 }
@@ -281,7 +291,7 @@ fn draw_band<S: Surface>(
                 lines.push(vec![at(enter), at(leave)]);
             }
         }
-        painter.strokes(&lines, look.fill, 0.6, 0.32)?;
+        painter.strokes(&lines, look.fill, 0.6 * context.theme.lines, 0.32)?;
     }
     let mut edges = Vec::new();
     for y in [whole.top, whole.bottom].into_iter().filter(|y| (plot.top..=plot.bottom).contains(y)) {
@@ -292,7 +302,7 @@ fn draw_band<S: Surface>(
             edges.push(vec![[x, area.top], [x, area.bottom]]);
         }
     }
-    painter.strokes(&edges, look.stroke, 0.8, 1.0)?;
+    painter.strokes(&edges, look.stroke, 0.8 * context.theme.lines, 1.0)?;
     Ok(Some(area))
 }
 
@@ -339,7 +349,12 @@ pub fn draw_solid<S: Surface>(
                     .filter(|point| within(point))
                     .map(|point| projection.pixel(point))
                     .collect();
-                painter.cloud(&seen, cloud_diameter(series.role), look.stroke, look.opacity)?;
+                painter.cloud(
+                    &seen,
+                    cloud_diameter(series.role) * context.theme.marks,
+                    look.stroke,
+                    look.opacity,
+                )?;
                 None
             }
             Mark::Marks => {

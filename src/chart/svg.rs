@@ -37,6 +37,8 @@ pub struct SvgSurface {
     height: i32,
     body: String,
     pending: Option<Pending>,
+    /// Whether the picture has a size on paper.
+    on_paper: bool,
 }
 
 impl SvgSurface {
@@ -52,13 +54,33 @@ impl SvgSurface {
             height: (height * units).round() as i32,
             body: String::new(),
             pending: None,
+            on_paper: false,
         })
+    }
+
+    /// The same with a size on paper: its sides are written in millimetres, sizes of letters and widths of lines in points.
+    #[must_use]
+    pub fn on_paper(self) -> Self {
+        Self { on_paper: true, ..self }
+    }
+
+    /// A size of letters or a width of a line, units, as it is written.
+    fn measure(&self, units: i32) -> String {
+        // An inch has 96 CSS pixels and 72 points.
+        if self.on_paper { format!("{}pt", number((3 * units + 2).div_euclid(4))) } else { number(units) }
+    }
+
+    /// A side of the picture, units, as it is written.
+    fn side(&self, units: i32) -> String {
+        let millimetres = || (f64::from(units) * 25.4 / 96.0).round() as i32;
+        if self.on_paper { format!("{}mm", number(millimetres())) } else { number(units) }
     }
 
     /// The finished text: a whole SVG document with a title and a description for those who do not see it.
     pub fn finish(mut self, title: &str, description: &str) -> String {
         self.flush();
         let (width, height) = (number(self.width), number(self.height));
+        let (wide, high) = (self.side(self.width), self.side(self.height));
         let mut text = String::with_capacity(self.body.len() + 512);
         // A picture without words for the ear is a picture all the same: an empty element would only be noise.
         let words = [("title", title), ("desc", description)]
@@ -68,7 +90,7 @@ impl SvgSurface {
         let family = FAMILY.replace('"', "'");
         let _ = write!(
             text,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}\" height=\"{high}\" \
              viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{family}\" \
              stroke-linejoin=\"round\" fill=\"none\">\n{words}{}</svg>\n",
             self.body
@@ -78,12 +100,9 @@ impl SvgSurface {
 
     fn flush(&mut self) {
         if let Some(Pending { color, width, data }) = self.pending.take() {
-            let _ = writeln!(
-                self.body,
-                "<path d=\"{data}\"{} stroke-width=\"{}\"/>",
-                paint("stroke", color),
-                number(width.cast_signed())
-            );
+            let width = self.measure(width.cast_signed());
+            let stroke = paint("stroke", color);
+            let _ = writeln!(self.body, "<path d=\"{data}\"{stroke} stroke-width=\"{width}\"/>");
         }
     }
 
@@ -220,7 +239,7 @@ impl DrawingBackend for SvgSurface {
         let look = if fill {
             paint("fill", style.color())
         } else {
-            let width = number(style.stroke_width().cast_signed());
+            let width = self.measure(style.stroke_width().cast_signed());
             format!("{} stroke-width=\"{width}\"", paint("stroke", style.color()))
         };
         let radius = number(radius.cast_signed());
@@ -266,7 +285,7 @@ impl Surface for SvgSurface {
             String::new()
         };
         let halo = lettering.halo.map_or_else(String::new, |Stroke { color, width }| {
-            let width = number(width.cast_signed());
+            let width = self.measure(width.cast_signed());
             format!("{} stroke-width=\"{width}\" paint-order=\"stroke\"", paint("stroke", color))
         });
         let runs = lettering.runs.iter().fold(String::new(), |all, run| {
@@ -275,7 +294,7 @@ impl Surface for SvgSurface {
                 Face::Italic => " font-style=\"italic\"",
                 Face::Bold => " font-weight=\"bold\"",
             };
-            let (size, text) = (number(units(run.size)), escape(&run.text));
+            let (size, text) = (self.measure(units(run.size)), escape(&run.text));
             let place = format!("x=\"{}\" y=\"{}\"", number(x + units(run.x)), number(y + units(run.y)));
             format!("{all}<tspan {place} font-size=\"{size}\"{face}>{text}</tspan>")
         });
@@ -289,7 +308,7 @@ impl Surface for SvgSurface {
         for &(x, y) in cloud.points {
             let _ = write!(data, "M{} {}h0", number(x), number(y));
         }
-        let width = number(cloud.diameter.cast_signed());
+        let width = self.measure(cloud.diameter.cast_signed());
         let look = paint("stroke", cloud.color);
         self.element(&format!(
             "<path d=\"{data}\"{look} stroke-width=\"{width}\" stroke-linecap=\"round\"/>"
@@ -357,6 +376,17 @@ mod tests {
             "{text}"
         );
         assert!(text.contains("<title>a &lt; b</title>") && !text.contains("<desc>"));
+    }
+
+    #[test]
+    fn on_paper_sides_are_millimetres_and_lines_points() {
+        // 96 pixels are an inch.
+        let mut surface = SvgSurface::new((192.0, 384.0)).unwrap().on_paper();
+        let style = Stroke { color: BackendColor { alpha: 1.0, rgb: (1, 2, 3) }, width: 200 };
+        surface.draw_path([(0, 0), (100, 50)], &style).unwrap();
+        let text = surface.finish("", "");
+        assert!(text.contains("width=\"50.8mm\" height=\"101.6mm\" viewBox=\"0 0 192 384\""), "{text}");
+        assert!(text.contains("stroke-width=\"1.5pt\""), "{text}");
     }
 
     #[test]

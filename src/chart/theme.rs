@@ -1,10 +1,12 @@
 //! Colours, strokes and marks: one look for each meaning, in each theme.
 //!
-//! Text stands out from the ground by at least 4.5 : 1, lines and marks by 3 : 1; the tests compute it.
+//! Text stands out from the ground by at least 4.5 : 1, lines and marks by 3 : 1; the tests compute it. The colours
+//! themselves stand in `palettes`.
 
 use plotters_backend::BackendColor;
 
 use super::drawing::Role;
+use super::palettes::TABLES;
 
 /// A colour in sRGB, red, green, blue from 0 to 255.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,16 +86,24 @@ pub struct Look {
 
 /// A colour as mark and as text: the text is set deeper where the mark alone would be too faint to read.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Hue {
-    mark: Color,
-    text: Color,
+pub struct Hue {
+    /// Of lines and marks.
+    pub mark: Color,
+    /// Of words.
+    pub text: Color,
 }
 
 /// The look of every meaning on one ground.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Theme {
-    /// Name by which it is asked for: `light` or `dark`.
+    /// Name by which it is asked for, one of [`Theme::NAMES`].
     pub name: &'static str,
+    /// Size of letters over their usual size.
+    pub letters: f64,
+    /// Width of lines over their usual width.
+    pub lines: f64,
+    /// Size of marks over their usual size.
+    pub marks: f64,
     /// The ground everything is drawn on.
     pub ground: Color,
     /// Titles and labels of axes.
@@ -106,62 +116,18 @@ pub struct Theme {
     pub grid: Color,
     /// Edge of marks whose own colour is too light or too dark for the ground.
     pub edge: Color,
-    blue: Hue,
-    vermilion: Hue,
-    green: Hue,
-    grey: Hue,
-    yellow: Hue,
-    orange: Hue,
-    red: Hue,
-    sky: Hue,
-    neutral: Hue,
-    first: Color,
-    second: Color,
+    pub(super) blue: Hue,
+    pub(super) vermilion: Hue,
+    pub(super) green: Hue,
+    pub(super) grey: Hue,
+    pub(super) yellow: Hue,
+    pub(super) orange: Hue,
+    pub(super) red: Hue,
+    pub(super) sky: Hue,
+    pub(super) neutral: Hue,
+    pub(super) first: Color,
+    pub(super) second: Color,
 }
-
-/// Blue #0072B2, vermilion #D55E00 and bluish green #009E73 on paper white.
-const LIGHT: Theme = Theme {
-    name: "light",
-    ground: Color(255, 255, 255),
-    ink: Color(27, 31, 36),
-    quiet: Color(78, 85, 93),
-    axis: Color(72, 79, 87),
-    grid: Color(232, 234, 237),
-    edge: Color(64, 50, 8),
-    blue: Hue { mark: Color(0, 114, 178), text: Color(0, 102, 160) },
-    vermilion: Hue { mark: Color(213, 94, 0), text: Color(176, 74, 0) },
-    green: Hue { mark: Color(0, 158, 115), text: Color(0, 118, 86) },
-    grey: Hue { mark: Color(128, 132, 137), text: Color(98, 103, 109) },
-    yellow: Hue { mark: Color(246, 205, 34), text: Color(120, 94, 0) },
-    orange: Hue { mark: Color(230, 159, 0), text: Color(140, 92, 0) },
-    red: Hue { mark: Color(196, 22, 42), text: Color(176, 16, 36) },
-    sky: Hue { mark: Color(66, 146, 198), text: Color(20, 104, 158) },
-    neutral: Hue { mark: Color(126, 131, 137), text: Color(90, 96, 103) },
-    first: Color(203, 220, 233),
-    second: Color(226, 221, 209),
-};
-
-/// The same hues in the same order, lifted from a dark ground.
-const DARK: Theme = Theme {
-    name: "dark",
-    ground: Color(20, 23, 27),
-    ink: Color(233, 235, 238),
-    quiet: Color(176, 183, 191),
-    axis: Color(150, 158, 167),
-    grid: Color(40, 45, 52),
-    edge: Color(250, 240, 205),
-    blue: Hue { mark: Color(66, 170, 236), text: Color(108, 190, 243) },
-    vermilion: Hue { mark: Color(255, 130, 46), text: Color(255, 158, 94) },
-    green: Hue { mark: Color(34, 197, 148), text: Color(74, 214, 170) },
-    grey: Hue { mark: Color(140, 147, 155), text: Color(166, 173, 181) },
-    yellow: Hue { mark: Color(246, 211, 60), text: Color(246, 217, 98) },
-    orange: Hue { mark: Color(244, 176, 42), text: Color(246, 190, 84) },
-    red: Hue { mark: Color(240, 84, 92), text: Color(252, 132, 138) },
-    sky: Hue { mark: Color(104, 160, 204), text: Color(138, 186, 224) },
-    neutral: Hue { mark: Color(132, 140, 149), text: Color(166, 174, 183) },
-    first: Color(47, 70, 88),
-    second: Color(76, 70, 57),
-};
 
 /// Dash and gap of lines two pixels wide, CSS pixels.
 const DASH: [f64; 2] = [7.0, 4.5];
@@ -169,13 +135,12 @@ const DASH: [f64; 2] = [7.0, 4.5];
 const FINE_DASH: [f64; 2] = [5.0, 3.5];
 
 impl Theme {
-    /// The theme of a name: `light` or `dark`.
+    /// Names of all themes.
+    pub const NAMES: [&'static str; 6] = ["light", "dark", "projector", "contrast", "contrast-dark", "print"];
+
+    /// The theme of a name, one of [`Theme::NAMES`].
     pub fn by_name(name: &str) -> Option<Self> {
-        match name {
-            "light" => Some(LIGHT),
-            "dark" => Some(DARK),
-            _ => None,
-        }
+        TABLES.iter().find(|theme| theme.name == name).map(|theme| (*theme).clone())
     }
 
     /// How a series of this role looks: dashed when unstable, solid when stable or when that is no question.
@@ -183,19 +148,19 @@ impl Theme {
         let unstable = stable == Some(false);
         let plain = |hue: Hue, width: f64| Look {
             stroke: hue.mark,
-            width,
-            dash: unstable.then_some(if width < 1.8 { FINE_DASH } else { DASH }),
+            width: width * self.lines,
+            dash: unstable.then_some(self.dash(if width < 1.8 { FINE_DASH } else { DASH })),
             fill: hue.mark,
             opacity: 1.0,
             text: hue.text,
             shape: Shape::Dot,
-            radius: 3.5,
+            radius: 3.5 * self.marks,
             outline: None,
             hatch: false,
         };
         let mark = |hue: Hue, shape: Shape, radius: f64, outline: Option<Color>| Look {
             shape,
-            radius,
+            radius: radius * self.marks,
             outline,
             dash: None,
             ..plain(hue, 1.5)
@@ -212,28 +177,37 @@ impl Theme {
             Role::Bifurcation => mark(ink, Shape::Star, 7.0, None),
             Role::Saddle => mark(self.red, Shape::Dot, 4.5, None),
             Role::UnstableSpiral => mark(self.orange, Shape::Dot, 4.5, Some(self.deepened(self.orange.mark))),
-            Role::Attractor => Look { dash: None, radius: 4.5, ..plain(self.blue, 1.6) },
-            Role::Trajectory => Look { dash: None, radius: 1.7, opacity: 0.85, ..plain(self.sky, 0.9) },
+            Role::Attractor => Look { dash: None, radius: 4.5 * self.marks, ..plain(self.blue, 1.6) },
+            Role::Trajectory => {
+                Look { dash: None, radius: 1.7 * self.marks, opacity: 0.85, ..plain(self.sky, 0.9) }
+            }
             Role::DeadZone => Look { hatch: true, ..area(self.red, 0.1) },
-            Role::Reference => Look { dash: None, radius: 3.0, ..plain(self.neutral, 1.0) },
-            Role::OtherRegime => Look { dash: Some(FINE_DASH), ..plain(self.grey, 1.4) },
+            Role::Reference => Look { dash: None, radius: 3.0 * self.marks, ..plain(self.neutral, 1.0) },
+            Role::OtherRegime => Look { dash: Some(self.dash(FINE_DASH)), ..plain(self.grey, 1.4) },
             Role::Handle => mark(ink, Shape::Ring, 6.0, None),
             Role::BodyFirst => Look { fill: self.first, dash: None, ..plain(ink, 1.3) },
             Role::BodySecond => Look { fill: self.second, dash: None, ..plain(ink, 1.3) },
-            Role::Link => Look { dash: None, radius: 2.5, ..plain(ink, 1.3) },
+            Role::Link => Look { dash: None, radius: 2.5 * self.marks, ..plain(ink, 1.3) },
             Role::Event => mark(self.vermilion, Shape::Cross, 4.5, None),
             Role::IntervalStable => area(self.blue, 0.16),
             Role::IntervalSaddle => area(self.vermilion, 0.14),
             Role::IntervalSpiral => Look { stroke: self.orange.text, ..area(self.orange, 0.24) },
             Role::QuasiPeriodic => {
-                Look { radius: 2.3, ..plain(if unstable { self.vermilion } else { self.blue }, 1.6) }
+                let hue = if unstable { self.vermilion } else { self.blue };
+                Look { radius: 2.3 * self.marks, ..plain(hue, 1.6) }
             }
             Role::Fold => mark(ink, Shape::Triangle, 5.6, None),
             Role::TorusBifurcation => mark(ink, Shape::Diamond, 5.8, None),
             Role::AcrossManifold => mark(ink, Shape::Cross, 5.2, None),
             Role::Growth | Role::Basins => area(ink, 1.0),
-            Role::Downward => Look { dash: None, radius: 2.2, opacity: 0.9, ..plain(ink, 1.0) },
+            Role::Downward => Look { dash: None, radius: 2.2 * self.marks, opacity: 0.9, ..plain(ink, 1.0) },
         }
+    }
+
+    /// Lengths of dash and gap that suit its lines: thicker lines need longer ones to be seen as dashed.
+    fn dash(&self, [dash, gap]: [f64; 2]) -> [f64; 2] {
+        let stretch = self.lines.max(1.0);
+        [dash * stretch, gap * stretch]
     }
 
     /// Whether it is dark on light.
@@ -304,7 +278,7 @@ mod tests {
 
     #[test]
     fn text_is_readable() {
-        for name in ["light", "dark"] {
+        for name in Theme::NAMES {
             let theme = Theme::by_name(name).unwrap();
             for (meaning, color) in [("ink", theme.ink), ("quiet", theme.quiet)] {
                 assert!(color.contrast(theme.ground) >= 4.5, "{name} {meaning}");
@@ -327,7 +301,7 @@ mod tests {
 
     #[test]
     fn lines_and_marks_stand_out() {
-        for name in ["light", "dark"] {
+        for name in Theme::NAMES {
             let theme = Theme::by_name(name).unwrap();
             assert!(theme.axis.contrast(theme.ground) >= 3.0);
             for (role, look) in looks(&theme) {
@@ -335,6 +309,62 @@ mod tests {
                 let ratio = look.stroke.contrast(theme.ground).max(outline);
                 assert!(ratio >= 3.0, "{name} {role:?} {ratio}");
             }
+        }
+    }
+
+    #[test]
+    fn where_contrast_is_asked_for_there_is_more_of_it() {
+        for name in ["projector", "contrast", "contrast-dark"] {
+            let theme = Theme::by_name(name).unwrap();
+            for (role, look) in looks(&theme) {
+                let outline = look.outline.map_or(0.0, |color| color.contrast(theme.ground));
+                let line = look.stroke.contrast(theme.ground).max(outline);
+                assert!(line >= 4.5, "{name} {role:?} {line}");
+                let text = look.text.contrast(theme.ground);
+                assert!(text >= 7.0, "{name} {role:?} {text}");
+            }
+            assert!(theme.ink.contrast(theme.ground) >= 20.0 && theme.lines > 1.0 && theme.letters > 1.0);
+        }
+        let print = Theme::by_name("print").unwrap();
+        assert_eq!((print.ground, print.ink), (Color(255, 255, 255), Color(0, 0, 0)));
+    }
+
+    /// Hue of a colour, degrees.
+    fn hue(Color(red, green, blue): Color) -> f64 {
+        let [red, green, blue] = [red, green, blue].map(f64::from);
+        let side = 3.0_f64.sqrt() * (green - blue);
+        side.atan2(2.0 * red - green - blue).to_degrees().rem_euclid(360.0)
+    }
+
+    #[test]
+    fn a_meaning_keeps_its_hue_and_its_rank_in_every_theme() {
+        let light = Theme::by_name("light").unwrap();
+        let dark = Theme::by_name("dark").unwrap();
+        for name in Theme::NAMES {
+            let theme = Theme::by_name(name).unwrap();
+            for (role, stable) in [
+                (Role::Exact, Some(true)),
+                (Role::Exact, Some(false)),
+                (Role::Corrected, None),
+                (Role::Subcritical, None),
+                (Role::Saddle, None),
+                (Role::Trajectory, None),
+            ] {
+                let turn = hue(theme.look(role, stable).stroke) - hue(light.look(role, stable).stroke);
+                let turn = (turn + 180.0).rem_euclid(360.0) - 180.0;
+                assert!(turn.abs() < 12.0, "{name} {role:?} {turn}");
+            }
+            // What stands out more on the plain ground of its kind stands out more here.
+            let plain = if theme.is_light() { &light } else { &dark };
+            let ranked = |theme: &Theme| {
+                let mut roles = [Role::Exact, Role::Corrected, Role::Paper, Role::Saddle];
+                roles.sort_by(|&one, &other| {
+                    let of = |role| theme.look(role, Some(true)).stroke.contrast(theme.ground);
+                    of(one).total_cmp(&of(other))
+                });
+                roles
+            };
+            assert_eq!(ranked(&theme), ranked(plain), "{name}");
         }
     }
 

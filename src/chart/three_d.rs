@@ -162,7 +162,7 @@ fn draw_walls<S: Surface>(
             }
         }
     }
-    painter.strokes(&lines, theme.grid, GRID_WIDTH, 1.0)
+    painter.strokes(&lines, theme.grid, GRID_WIDTH * theme.lines, 1.0)
 }
 
 fn draw_axis<S: Surface>(
@@ -180,7 +180,7 @@ fn draw_axis<S: Surface>(
     let long = (to[0] - from[0]).hypot(to[1] - from[1]);
     let mut lines = vec![vec![from, to]];
     if long < 2.5 * sizes.tick {
-        return painter.strokes(&lines, theme.axis, AXIS_WIDTH, 1.0);
+        return painter.strokes(&lines, theme.axis, AXIS_WIDTH * theme.lines, 1.0);
     }
     let center =
         projection.pixel(&std::array::from_fn(|i| f64::midpoint(projection.low[i], projection.high[i])));
@@ -210,7 +210,7 @@ fn draw_axis<S: Surface>(
             numbers.push((number, place));
         }
     }
-    painter.strokes(&lines, theme.axis, AXIS_WIDTH, 1.0)?;
+    painter.strokes(&lines, theme.axis, AXIS_WIDTH * theme.lines, 1.0)?;
     for (number, place) in &numbers {
         let baseline = [place[0], place[1] + number.ascent / 2.0];
         painter.label(number, baseline, Align::Middle, theme.quiet, None)?;

@@ -7,7 +7,7 @@ use web_sys::js_sys::{Array, Float64Array};
 
 use crate::chart::drawing::Drawing;
 use crate::chart::svg::check_size;
-use crate::chart::{self, FrameMap, SvgSurface, Theme, View};
+use crate::chart::{self, FrameMap, Selection, SvgSurface, Theme, View, Window};
 use crate::figures::{self, Figure};
 use crate::web::canvas::CanvasSurface;
 use crate::web::columns::Record;
@@ -23,28 +23,43 @@ const SIDE: (f64, f64) = (120.0, 8192.0);
 const WIDTH: f64 = 720.0;
 /// Longest side of a canvas's backing store that every browser makes, pixels.
 const LARGEST_STORE: f64 = 16_384.0;
-/// Names of the themes, for errors.
-const THEMES: &str = "light, dark";
+/// CSS pixels in a millimetre: an inch has 96 of them.
+const MILLIMETRE: f64 = 96.0 / 25.4;
+/// Default width of an SVG picture in millimetres: the width of a journal's page of text.
+const PAGE_WIDTH: f64 = 174.0;
+/// Most series that may be hidden, and more than any figure has.
+const MOST_HIDDEN: usize = 2_000;
 
-/// SVG text of a figure: `svg(idOrFigure, params, {width, height, theme, view})`.
+/// What of a figure is shown, and how.
+struct Shown {
+    view: View,
+    time: Option<f64>,
+    selection: Selection,
+}
+
+/// SVG text of a figure: `svg(idOrFigure, params, {width, height, unit, theme, view})`.
 ///
 /// # Errors
 /// The plain object of a `GearError`.
 #[wasm_bindgen]
 pub fn svg(id_or_figure: &JsValue, params: &JsValue, options: &JsValue) -> Result<String, JsValue> {
-    let options = Options::read(options, &["width", "height", "theme", "view"])?;
+    let options = Options::read(options, &["width", "height", "unit", "theme", "view"])?;
     let theme = theme(&options)?;
-    let (view, time) = view(&options)?;
+    let shown = shown(&options)?;
     // Sizes are refused before anything is computed.
-    let width = options.number("width", SIDE, WIDTH)?;
-    let given_height = options.number("height", SIDE, f64::NAN)?;
+    let on_paper = on_paper(&options)?;
+    let (pixels, usual) = if on_paper { (MILLIMETRE, PAGE_WIDTH) } else { (1.0, WIDTH) };
+    let sides = (SIDE.0 / pixels, SIDE.1 / pixels);
+    let width = options.number("width", sides, usual)? * pixels;
+    let given_height = options.number("height", sides, f64::NAN)? * pixels;
     let (figure, title) = figure(id_or_figure, params)?;
     let aspect = figures::specification(figure.id).map_err(WebError::from)?.aspect;
     let height =
         if given_height.is_nan() { (width / aspect).round().clamp(SIDE.0, SIDE.1) } else { given_height };
-    let picture = at_time(&figure, time);
-    let mut surface = AnySurface::Svg(SvgSurface::new((width, height)).map_err(WebError::from)?);
-    chart::draw(&mut surface, &picture, &theme, &view).map_err(WebError::from)?;
+    let picture = picture(&figure, &shown)?;
+    let surface = SvgSurface::new((width, height)).map_err(WebError::from)?;
+    let mut surface = AnySurface::Svg(if on_paper { surface.on_paper() } else { surface });
+    chart::draw(&mut surface, &picture, &theme, &shown.view).map_err(WebError::from)?;
     match surface {
         AnySurface::Svg(text) => Ok(text.finish(&title, &figure.summary)),
         AnySurface::Canvas(_) => Err(WebError::internal("a text became a canvas".into()).into()),
@@ -65,17 +80,17 @@ pub fn draw(
 ) -> Result<JsValue, JsValue> {
     let options = Options::read(options, &["theme", "density", "view"])?;
     let theme = theme(&options)?;
-    let (view, time) = view(&options)?;
+    let shown = shown(&options)?;
     let density = options.number("density", (0.5, 8.0), 2.0)?;
     let canvas = canvas.dyn_ref::<HtmlCanvasElement>().ok_or_else(|| {
         WebError::option("canvas", values::given(canvas), Allowed::Text("an HTMLCanvasElement".into()))
     })?;
     let (figure, _) = figure(id_or_figure, params)?;
-    let picture = at_time(&figure, time);
+    let picture = picture(&figure, &shown)?;
     let density = fit_store(canvas, density)?;
     let surface = CanvasSurface::new(canvas.clone(), density).map_err(WebError::from)?;
     let mut surface = AnySurface::Canvas(surface);
-    let maps = chart::draw(&mut surface, &picture, &theme, &view).map_err(WebError::from)?;
+    let maps = chart::draw(&mut surface, &picture, &theme, &shown.view).map_err(WebError::from)?;
     Ok(Record::new().list("frames", maps.iter().map(frame_map)).finish()?)
 }
 
@@ -117,19 +132,32 @@ fn figure(id_or_figure: &JsValue, params: &JsValue) -> Result<(Figure, String), 
     }
 }
 
-fn at_time(figure: &Figure, time: Option<f64>) -> Drawing {
-    time.map_or_else(|| figure.drawing.clone(), |time| figures::at_time(figure, time))
+/// What of a figure is to be drawn.
+fn picture(figure: &Figure, shown: &Shown) -> Result<Drawing, WebError> {
+    let whole = shown.time.map_or_else(|| figure.drawing.clone(), |time| figures::at_time(figure, time));
+    Ok(shown.selection.of(whole)?)
 }
 
 fn theme(options: &Options) -> Result<Theme, WebError> {
-    let word = options.word("theme", THEMES)?;
+    let names = Theme::NAMES.join(", ");
+    let word = options.word("theme", &names)?;
     let word = word.as_deref().unwrap_or("light");
     Theme::by_name(word)
-        .ok_or_else(|| WebError::option("theme", Given::Text(word.into()), Allowed::Text(THEMES.into())))
+        .ok_or_else(|| WebError::option("theme", Given::Text(word.into()), Allowed::Text(names)))
 }
 
-fn view(options: &Options) -> Result<(View, Option<f64>), WebError> {
-    let given = options.nested("view", &["azimuth", "elevation", "time"])?;
+/// Whether sides are given in millimetres and not in CSS pixels.
+fn on_paper(options: &Options) -> Result<bool, WebError> {
+    const UNITS: &str = "px, mm";
+    match options.word("unit", UNITS)?.as_deref() {
+        None | Some("px") => Ok(false),
+        Some("mm") => Ok(true),
+        Some(other) => Err(WebError::option("unit", Given::Text(other.into()), Allowed::Text(UNITS.into()))),
+    }
+}
+
+fn shown(options: &Options) -> Result<Shown, WebError> {
+    let given = options.nested("view", &["azimuth", "elevation", "time", "windows", "hidden"])?;
     let start = View::default();
     let right_angle = std::f64::consts::FRAC_PI_2;
     let view = View {
@@ -137,7 +165,13 @@ fn view(options: &Options) -> Result<(View, Option<f64>), WebError> {
         elevation: given.number("elevation", (-right_angle, right_angle), start.elevation)?,
     };
     let time = given.number("time", (0.0, 1e9), -1.0)?;
-    Ok((view, (time >= 0.0).then_some(time)))
+    let windows = given
+        .nested_each("windows", &["x", "y"])?
+        .into_iter()
+        .map(|(frame, ends)| Ok(Window { frame, x: ends.ends("x")?, y: ends.ends("y")? }))
+        .collect::<Result<_, WebError>>()?;
+    let selection = Selection { windows, hidden: given.texts("hidden", MOST_HIDDEN)? };
+    Ok(Shown { view, time: (time >= 0.0).then_some(time), selection })
 }
 
 fn frame_map(map: &FrameMap) -> Record {

@@ -349,6 +349,24 @@ impl From<ChartError> for WebError {
                 allowed: Allowed::Nothing,
                 message,
             },
+            ChartError::Unknown { what, given, known } => Self {
+                code: "option",
+                parameter: Some(if what == "frame" { "windows" } else { "hidden" }.into()),
+                given: Given::Text(given),
+                allowed: Allowed::Text(known.join(", ")),
+                message,
+            },
+            ChartError::Window { frame, low, high, bare } => Self {
+                code: "option",
+                parameter: Some("windows".into()),
+                given: Given::Words(format!("{frame}: [{}, {}]", number_words(low), number_words(high))),
+                allowed: if bare {
+                    Allowed::Text("frames with axes".into())
+                } else {
+                    Allowed::Text("low < high, by more than a billionth of the greater end".into())
+                },
+                message,
+            },
         }
     }
 }

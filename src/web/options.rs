@@ -232,6 +232,52 @@ impl Options {
         }
     }
 
+    /// At most `most` texts.
+    ///
+    /// # Errors
+    /// `option`.
+    pub fn texts(&self, name: &str, most: usize) -> Result<Vec<String>, WebError> {
+        let Some(value) = self.get(name) else { return Ok(Vec::new()) };
+        let wrong =
+            |given| WebError::option(name, given, Allowed::Text(format!("a list of at most {most} texts")));
+        let length = values::list_length(value, most).map_err(wrong)?;
+        (0..length)
+            .map(|index| {
+                let item = values::item(value, index).map_err(wrong)?;
+                item.as_string().ok_or_else(|| wrong(values::given(&item)))
+            })
+            .collect()
+    }
+
+    /// Options within each property of an option, by the property's name, in their order.
+    ///
+    /// # Errors
+    /// `not-an-object`, or `option` for a name that is not known.
+    pub fn nested_each(&self, name: &str, known: &[&str]) -> Result<Vec<(String, Self)>, WebError> {
+        let Some(value) = self.get(name) else { return Ok(Vec::new()) };
+        let own = values::properties(name, value)?;
+        own.into_iter()
+            .map(|(key, value)| {
+                let options = Self::read_named(&format!("{name}.{key}"), &value, known)?;
+                Ok((key, options))
+            })
+            .collect()
+    }
+
+    /// Two numbers, where they were given.
+    ///
+    /// # Errors
+    /// `option`, for anything but two numbers. Whether they are sound is for others to say.
+    pub fn ends(&self, name: &str) -> Result<Option<[f64; 2]>, WebError> {
+        let Some(value) = self.get(name) else { return Ok(None) };
+        let wrong = |given| WebError::option(name, given, Allowed::Text("[low, high]".into()));
+        let numbers = values::numbers(value, 2).map_err(wrong)?;
+        match numbers.as_slice() {
+            &[low, high] => Ok(Some([low, high])),
+            given => Err(wrong(listed(given))),
+        }
+    }
+
     /// Options within an option.
     ///
     /// # Errors

@@ -185,6 +185,7 @@ const wrongOptions = {
     width: [0, -1, 119, 8193, 1e300],
     height: [0, 119, 8193],
     theme: ["", "Light", "sepia", "x".repeat(10_000)],
+    unit: ["", "cm", "MM", 1, null],
   },
 };
 /** @type {Record<string, (options: any) => unknown>} */
@@ -230,6 +231,32 @@ test("sizes are refused before anything is allocated or computed", () => {
   refused(() => gear.modes({}, { anything: 1 }), { code: "option", parameter: "anything" });
   refused(() => gear.svg("12a", {}, { width: 1 }), { code: "option", parameter: "width" });
   assert.ok(secondsComputed() - started < 0.1, "at once");
+});
+
+test("windows and hidden series: each part checked, and what is wrong named", () => {
+  const frame = gear.figure("2").axes[0].frame;
+  for (const windows of [null, 1, "all", [], { [frame]: 1 }, { [frame]: { z: [0, 1] } }, { [frame]: [0, 1] }]) {
+    refused(() => gear.svg("2", {}, { view: { windows } }), {}, JSON.stringify(windows));
+  }
+  const wrong = [[1, 1], [2, 1], [0, 1, 2], [0], [], "01", { 0: 0, 1: 1 }, [Number.NaN, 1], [0, Infinity], [1, 1 + 1e-12], [0, 1e13], [null, 1]];
+  for (const x of wrong) {
+    refused(() => gear.svg("2", {}, { view: { windows: { [frame]: { x } } } }), { code: "option" }, JSON.stringify(x));
+  }
+  refused(() => gear.svg("2", {}, { view: { windows: { nowhere: { x: [0, 1] } } } }), { code: "option", parameter: "windows", given: "nowhere" });
+  refused(() => gear.svg("1", {}, { view: { windows: { gears: { x: [0, 1] } } } }), { code: "option", parameter: "windows" });
+  for (const hidden of [null, 1, "R", {}, [1], [null], [[]], new Array(3000).fill("x")]) {
+    refused(() => gear.svg("2", {}, { view: { hidden } }), { code: "option", parameter: "hidden" }, JSON.stringify(hidden)?.slice(0, 40));
+  }
+  const unknown = refused(() => gear.svg("2", {}, { view: { hidden: ["nothing"] } }), { code: "option", parameter: "hidden", given: "nothing" });
+  assert.ok(String(unknown.allowed).includes(gear.figure("2").series[0].name));
+  assert.equal(gear.svg("2", {}, { view: { windows: {}, hidden: [] } }), gear.svg("2"));
+});
+
+test("sides in millimetres have the range of those in pixels", () => {
+  for (const width of [0, 31, 2168, 8192]) {
+    refused(() => gear.svg("2", {}, { width, unit: "mm" }), { code: "option", parameter: "width" });
+  }
+  assert.match(gear.svg("2", {}, { unit: "mm" }), /^<svg[^>]*width="174mm"/);
 });
 
 test("views: each part checked", () => {

@@ -102,6 +102,31 @@ test("a figure survives JSON: lists of numbers serve as columns", () => {
   }
 });
 
+test("svg() shows a window of the axes and leaves out what is hidden", () => {
+  const figure = gear.figure("2");
+  const [{ frame, x }] = figure.axes;
+  const middle = (x.low + x.high) / 2;
+  const windows = { [frame]: { x: /** @type {[number, number]} */ ([middle, x.high]) } };
+  const half = gear.svg(figure, {}, { view: { windows } });
+  assert.notEqual(half, gear.svg(figure));
+  const [first] = figure.series.filter(({ mark }) => mark === "curve");
+  const less = gear.svg(figure, {}, { view: { hidden: [first.name] } });
+  assert.ok(!less.includes(`data-series="${first.name}"`) && gear.svg(figure).includes(`data-series="${first.name}"`));
+});
+
+test("svg() on paper: millimetres, points, every theme", () => {
+  for (const theme of /** @type {const} */ (["light", "dark", "projector", "contrast", "contrast-dark", "print"])) {
+    const text = gear.svg("3", {}, { width: 84, height: 70, unit: "mm", theme });
+    assert.match(text, /^<svg[^>]*width="84mm" height="70mm"/);
+    assert.ok(!/(font-size|stroke-width)="[\d.]+"/.test(text), "every size and width has its unit");
+  }
+  const print = gear.svg("2", {}, { width: 84, height: 60, unit: "mm", theme: "print" });
+  const widths = [...print.matchAll(/stroke-width="([\d.]+)pt"/g)].map(([, width]) => Number(width));
+  assert.ok(Math.min(...widths) >= 0.4, `${Math.min(...widths)} pt would not be printed everywhere`);
+  const sizes = [...print.matchAll(/font-size="([\d.]+)pt"/g)].map(([, size]) => Number(size));
+  assert.ok(Math.max(...sizes) >= 8 && Math.max(...sizes) <= 12, `${Math.max(...sizes)} pt`);
+});
+
 test("svg() takes size, theme, view and time", () => {
   const wide = gear.svg("3", {}, { width: 1000, height: 400 });
   assert.match(wide, /^<svg[^>]*width="1000"[^>]*height="400"/);

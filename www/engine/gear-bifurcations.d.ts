@@ -679,7 +679,17 @@ export interface FigureInfo {
   heavy: boolean;
 }
 
-/** From where, and when, a figure is seen. */
+/** How everything looks; colours, and how thick and large. */
+export type ThemeName = "light" | "dark" | "projector" | "contrast" | "contrast-dark" | "print";
+
+/** A part of the axes of a frame; what is not given is shown whole. */
+export interface Window {
+  /** Least and greatest value shown, rising, within 1e12, apart by more than a billionth of the greater. */
+  x?: [number, number];
+  y?: [number, number];
+}
+
+/** From where, and when, a figure is seen, and what of it. */
 export interface ViewOptions {
   /** Radians, -1000 to 1000. */
   azimuth?: number;
@@ -687,18 +697,24 @@ export interface ViewOptions {
   elevation?: number;
   /** Time of an animated figure's motion, 0 to 1e9. */
   time?: number;
+  /** Parts of the axes instead of the whole, by the frame's name; ticks, labels and fields are made anew for them. */
+  windows?: Record<string, Window>;
+  /** Names of series that are not drawn. */
+  hidden?: string[];
 }
 
 export interface SvgOptions {
-  /** CSS pixels, 120 to 8192. */
+  /** CSS pixels, 120 to 8192; or in `unit`: "mm" 31.75 to 2167.47 millimetres. */
   width?: number;
   height?: number;
-  theme?: "light" | "dark";
+  /** "mm": the sides in millimetres, letters and lines in points, for paper. Default "px". */
+  unit?: "px" | "mm";
+  theme?: ThemeName;
   view?: ViewOptions;
 }
 
 export interface DrawOptions {
-  theme?: "light" | "dark";
+  theme?: ThemeName;
   /** Pixels of the backing store a CSS pixel, 0.5 to 8, default 2. */
   density?: number;
   view?: ViewOptions;
