@@ -1,7 +1,7 @@
 //! Axes of a plane frame: grid, lines, ticks, numbers, labels and title.
 
 use super::drawing::Frame;
-use super::layout::{Panel, SideLabel, TICK, TICK_GAP};
+use super::layout::{Panel, SideLabel, TICK, TICK_GAP, gap_under};
 use super::metrics::{CAPITAL_HEIGHT, Face};
 use super::painter::{Align, Painter};
 use super::surface::Surface;
@@ -49,7 +49,7 @@ pub fn draw_axes<S: Surface>(
     painter.strokes(&lines, theme.axis, AXIS_WIDTH * theme.lines, 1.0)?;
 
     let cap = CAPITAL_HEIGHT * sizes.tick;
-    let number_line = plot.bottom + TICK + TICK_GAP + cap + 1.0;
+    let number_line = plot.bottom + TICK + gap_under(sizes.tick) + cap + 1.0;
     for (&x, text) in columns.iter().zip(&panel.x_ticks.labels) {
         let number = set(text, sizes.tick, Face::Regular);
         // A minus sign hangs out to the left, so that the digits stand under their tick.

@@ -12,6 +12,13 @@ use super::ticks::{Ticks, ticks};
 pub const TICK: f64 = 4.0;
 /// Between a tick mark and its number, CSS pixels.
 pub const TICK_GAP: f64 = 3.0;
+/// Largest numbers at the axes but for themes of larger letters, CSS pixels.
+const LARGEST_TICK: f64 = 13.0;
+
+/// Between a tick mark and its number under it, CSS pixels: large numbers would meet in the corner of the two axes.
+pub fn gap_under(size: f64) -> f64 {
+    TICK_GAP * (size / LARGEST_TICK).max(1.0)
+}
 /// Between numbers and the label of the axis, CSS pixels.
 const LABEL_GAP: f64 = 5.0;
 /// At the edges of the picture, CSS pixels.
@@ -40,7 +47,7 @@ impl Sizes {
     /// Sizes that suit a cell of this width: smaller letters only where there is little room. All are `letters` times
     /// their usual size.
     fn for_cell(width: f64, letters: f64) -> Self {
-        let tick = (10.5 + (width / letters - 180.0) / 120.0).clamp(10.5, 13.0) * letters;
+        let tick = (10.5 + (width / letters - 180.0) / 120.0).clamp(10.5, LARGEST_TICK) * letters;
         Self { tick, label: tick + 1.0, title: tick + 1.5, mark: (width / 300.0).clamp(0.75, 1.0) }
     }
 }
@@ -227,7 +234,7 @@ fn margins(frame: &Frame, panel: &Panel) -> [f64; 4] {
     let top = if title > 0.0 { title + 6.0 } else { 0.45 * sizes.tick } + factor;
     let line = |size: f64| size * 0.95;
     let under = if panel.x_label.runs.is_empty() { 0.0 } else { LABEL_GAP + panel.x_label.height() };
-    let bottom = TICK + TICK_GAP + line(sizes.tick) + under;
+    let bottom = TICK + gap_under(sizes.tick) + line(sizes.tick) + under;
     let map = panel.map(frame);
     let overhang =
         panel.x_ticks.values.last().zip(panel.x_ticks.labels.last()).map_or(0.0, |(value, text)| {

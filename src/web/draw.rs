@@ -5,8 +5,9 @@ use wasm_bindgen::{JsCast, JsValue};
 use web_sys::HtmlCanvasElement;
 use web_sys::js_sys::{Array, Float64Array};
 
-use crate::chart::drawing::Drawing;
+use crate::chart::drawing::{Drawing, Series};
 use crate::chart::svg::check_size;
+use crate::chart::theme::{Color, Shape};
 use crate::chart::{self, FrameMap, Selection, SvgSurface, Theme, View, Window};
 use crate::figures::{self, Figure};
 use crate::web::canvas::CanvasSurface;
@@ -67,7 +68,7 @@ pub fn svg(id_or_figure: &JsValue, params: &JsValue, options: &JsValue) -> Resul
 }
 
 /// Draws onto a canvas: `draw(idOrFigure, params, canvas, {theme, density, view})`; answers the map between pixels
-/// and data of each frame.
+/// and data of each frame, and how each series looks.
 ///
 /// # Errors
 /// The plain object of a `GearError`.
@@ -86,12 +87,13 @@ pub fn draw(
         WebError::option("canvas", values::given(canvas), Allowed::Text("an HTMLCanvasElement".into()))
     })?;
     let (figure, _) = figure(id_or_figure, params)?;
+    let looks: Vec<Record> = figure.drawing.series.iter().map(|series| look(series, &theme)).collect();
     let picture = picture(&figure, &shown)?;
     let density = fit_store(canvas, density)?;
     let surface = CanvasSurface::new(canvas.clone(), density).map_err(WebError::from)?;
     let mut surface = AnySurface::Canvas(surface);
     let maps = chart::draw(&mut surface, &picture, &theme, &shown.view).map_err(WebError::from)?;
-    Ok(Record::new().list("frames", maps.iter().map(frame_map)).finish()?)
+    Ok(Record::new().list("frames", maps.iter().map(frame_map)).list("looks", looks.into_iter()).finish()?)
 }
 
 /// Gives the canvas as many pixels as its place on the page needs at this density; a canvas without a place keeps its
@@ -172,6 +174,28 @@ fn shown(options: &Options) -> Result<Shown, WebError> {
         .collect::<Result<_, WebError>>()?;
     let selection = Selection { windows, hidden: given.texts("hidden", MOST_HIDDEN)? };
     Ok(Shown { view, time: (time >= 0.0).then_some(time), selection })
+}
+
+/// How a series looks, for a legend.
+fn look(series: &Series, theme: &Theme) -> Record {
+    let look = theme.look(series.role, series.stable);
+    let hex = |Color(red, green, blue): Color| format!("#{red:02x}{green:02x}{blue:02x}");
+    let dash = look.dash.map_or(JsValue::NULL, |[dash, gap]| Array::of2(&dash.into(), &gap.into()).into());
+    let shape = match look.shape {
+        Shape::Dot => "dot",
+        Shape::Star => "star",
+        Shape::Diamond => "diamond",
+        Shape::Triangle => "triangle",
+        Shape::Cross => "cross",
+        Shape::Ring => "ring",
+    };
+    Record::new()
+        .value("name", series.name.as_str())
+        .value("stroke", hex(look.stroke))
+        .number("width", look.width)
+        .value("dash", dash)
+        .value("outline", look.outline.map_or(JsValue::NULL, |color| hex(color).into()))
+        .value("shape", shape)
 }
 
 fn frame_map(map: &FrameMap) -> Record {

@@ -733,6 +733,21 @@ export interface FrameMap {
   projection: [Float64Array, Float64Array] | null;
 }
 
+/** How a series looks in the theme it was drawn in, for a legend. */
+export interface SeriesLook {
+  name: string;
+  /** Colour of lines and marks, `#rrggbb`. */
+  stroke: string;
+  /** Width of lines, CSS pixels. */
+  width: number;
+  /** Lengths of dash and gap, CSS pixels; null: solid. */
+  dash: [number, number] | null;
+  /** Colour of the outline of marks, or null. */
+  outline: string | null;
+  /** Form of single marks. */
+  shape: "dot" | "star" | "diamond" | "triangle" | "cross" | "ring";
+}
+
 /** One step of a figure that fills in while it is computed. */
 export interface ProgressStep {
   figure: Figure;
@@ -780,7 +795,7 @@ export interface Gear {
     p: Parameters | undefined,
     canvas: HTMLCanvasElement,
     options?: DrawOptions,
-  ): { frames: FrameMap[] };
+  ): { frames: FrameMap[]; looks: SeriesLook[] };
 }
 
 /** The dimensionless parameters in the units of a real gear pair, named as in {@link PhysicalPair}. */
