@@ -3,6 +3,7 @@
  *
  * @template S
  * @typedef {object} Entry
+ * @property {number} id  No two entries of a history ever have the same; one that takes in a further action keeps its own.
  * @property {string} name  What was done, a key of the catalogue; empty for the first.
  * @property {S} state  How it was afterwards.
  * @property {string | null} merge  What kind of action can still be counted in with it.
@@ -11,7 +12,7 @@
 
 /**
  * @template S
- * @typedef {{entries: readonly Entry<S>[], at: number}} History
+ * @typedef {{entries: readonly Entry<S>[], at: number, next: number}} History  `next`: the id of the next entry.
  */
 
 /** Actions of a kind that follow each other within this time are one, ms. */
@@ -23,7 +24,7 @@ const CLOSE = 1000;
  * @returns {History<S>}
  */
 export function begin(state) {
-  return { entries: [{ name: "", state, merge: null, time: 0 }], at: 0 };
+  return { entries: [{ id: 0, name: "", state, merge: null, time: 0 }], at: 0, next: 1 };
 }
 
 /**
@@ -31,16 +32,17 @@ export function begin(state) {
  *
  * @template S
  * @param {History<S>} history
- * @param {Entry<S>} entry
+ * @param {Omit<Entry<S>, "id">} entry
  * @param {boolean} held  Whether whatever acts is still held: then closeness in time does not matter.
  * @returns {History<S>}
  */
-export function record({ entries, at }, entry, held) {
+export function record({ entries, at, next }, entry, held) {
   const last = entries[at];
   const newest = at === entries.length - 1;
   const joins = newest && entry.merge !== null && entry.merge === last.merge && (held || entry.time - last.time < CLOSE);
   const kept = entries.slice(0, joins ? at : at + 1);
-  return { entries: [...kept, entry], at: kept.length };
+  const id = joins ? last.id : next;
+  return { entries: [...kept, { ...entry, id }], at: kept.length, next: joins ? next : next + 1 };
 }
 
 /**
@@ -50,8 +52,9 @@ export function record({ entries, at }, entry, held) {
  * @param {History<S>} history
  * @returns {History<S>}
  */
-export function settled({ entries, at }) {
-  return { entries: entries.map((entry, index) => (index === at ? { ...entry, merge: null } : entry)), at };
+export function settled(history) {
+  const entry = history.entries[history.at];
+  return entry.merge === null ? history : { ...history, entries: replaced(history.entries, history.at, { ...entry, merge: null }) };
 }
 
 /**
@@ -59,8 +62,8 @@ export function settled({ entries, at }) {
  * @param {History<S>} history
  * @returns {History<S>}
  */
-export function undone({ entries, at }) {
-  return { entries, at: Math.max(0, at - 1) };
+export function undone(history) {
+  return moved(history, history.at - 1);
 }
 
 /**
@@ -68,6 +71,30 @@ export function undone({ entries, at }) {
  * @param {History<S>} history
  * @returns {History<S>}
  */
-export function redone({ entries, at }) {
-  return { entries, at: Math.min(entries.length - 1, at + 1) };
+export function redone(history) {
+  return moved(history, history.at + 1);
+}
+
+/**
+ * At another place, or at the nearest end. What is done next counts for itself.
+ *
+ * @template S
+ * @param {History<S>} history
+ * @param {number} at
+ * @returns {History<S>}
+ */
+export function moved(history, at) {
+  const place = Math.min(history.entries.length - 1, Math.max(0, at));
+  return place === history.at ? history : settled({ ...history, at: place });
+}
+
+/**
+ * @template T
+ * @param {readonly T[]} list
+ * @param {number} at
+ * @param {T} value
+ * @returns {readonly T[]}
+ */
+export function replaced(list, at, value) {
+  return [...list.slice(0, at), value, ...list.slice(at + 1)];
 }

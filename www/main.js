@@ -1,6 +1,5 @@
 /** The page: the only place that knows all its parts. */
 
-import { themeNamed, wireThemeButton } from "./controls/theme-button.js";
 import { engine, GearError, PRIORITY } from "./engine/running.js";
 import { watchPrinting } from "./figure/appearance.js";
 import { GearFigure } from "./figure/gear-figure.js";
@@ -9,16 +8,18 @@ import { provide } from "./figure/services.js";
 import { PRESETS } from "./presets.js";
 import { Actions } from "./shell/actions.js";
 import { followAddress } from "./shell/address.js";
+import { furnishHeader } from "./shell/header.js";
+import { watchKeys } from "./shell/keys.js";
 import { problemWords, showNotice } from "./shell/notice.js";
+import { recall, remember } from "./shell/preferences.js";
 import { announcer } from "./shell/services.js";
-import { Store } from "./state.js";
+import { LANGUAGES, Store, THEMES, withPreset } from "./state.js";
 import { parse } from "./url.js";
 import { words as figureWords } from "./words/en/figure.js";
 import { words as shellWords } from "./words/en/shell.js";
 import { translate } from "./words/page.js";
-import { learn, number, onLanguage, say, speak } from "./words/say.js";
+import { learn, number, say, speak } from "./words/say.js";
 
-const THEME_KEY = "gear-bifurcations.theme";
 /** After this time nothing waits for figures any more, ms. */
 const LONGEST_OPENING = 4000;
 
@@ -27,7 +28,9 @@ learn(figureWords);
 
 // What needs no numbers is shown at once; the rest of the address is read when the engine has said what there is.
 const { state: opening } = parse(location.hash.slice(1), null);
-const { view = "story", at = null, theme = themeNamed(recall()), projector = false, language = "en" } = opening;
+const preferences = recall();
+const { view = "story", at = null, projector = false } = opening;
+const { theme, language } = { ...preferences, ...opening };
 const store = new Store({ view, at, theme, projector, language });
 const actions = new Actions();
 showAppearance();
@@ -126,16 +129,15 @@ const ROOMS = {
 /** @type {Set<string>} */
 const entered = new Set();
 
+/** How far each view was read when it was left. @type {Map<string, number>} */
+const places = new Map();
+
 /** Shows the view of the state, and furnishes it where it is entered for the first time. */
 function showView() {
   const { view: shown } = store.state;
   document.documentElement.dataset.view = shown;
   for (const part of document.querySelectorAll("main > [data-view]")) {
     if (part instanceof HTMLElement) part.hidden = part.dataset.view !== shown;
-  }
-  for (const link of document.querySelectorAll(".views a")) {
-    if (link.getAttribute("href") === `#${shown}`) link.setAttribute("aria-current", "page");
-    else link.removeAttribute("aria-current");
   }
   if (shown !== "story" && !entered.has(shown)) void enter(shown);
 }
@@ -158,16 +160,74 @@ async function enter(name) {
 }
 
 const announce = announcer(element(".announcer"));
-for (const link of document.querySelectorAll(".views a")) {
-  link.addEventListener("click", (event) => {
-    if (event instanceof MouseEvent && (event.ctrlKey || event.metaKey || event.shiftKey)) return;
-    event.preventDefault();
-    const chosen = /** @type {import("./state.js").View} */ (link.getAttribute("href")?.slice(1));
-    store.act("act.view", (state) => ({ ...state, view: chosen, at: null }));
-    scrollTo(0, 0);
-  });
-}
+furnishHeader(element("header"), store, actions);
+registerActions();
+watchKeys(actions, () => preferences.singleKeys);
 showView();
+
+// What is held, a slider or a handle, makes one action of all it does until it is let go.
+addEventListener("pointerdown", () => store.hold(), { capture: true });
+for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => store.release(), { capture: true });
+
+// The first screen's chart moves the operating point, and its gears follow.
+store.share("fig-1", ["k0", "Omega"]);
+store.share("fig-T", ["m", "k", "zeta", "k0", "Omega"]);
+
+// A link to a place of the story keeps what was changed, which following it would not.
+document.addEventListener("click", (event) => {
+  const link = event.target instanceof Element ? event.target.closest('a[href^="#"]') : null;
+  const place = link === null ? null : document.getElementById(link.getAttribute("href")?.slice(1) ?? "");
+  if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.shiftKey || place === null) return;
+  event.preventDefault();
+  goTo(place.id);
+});
+
+/** @param {string} id  Of a place in the story. */
+function goTo(id) {
+  store.act("act.jump", (state) => ({ ...state, view: "story", at: id }));
+  const place = document.getElementById(id);
+  if (place === null) return;
+  place.scrollIntoView();
+  // Whoever goes on by keys goes on from there.
+  if (place.tabIndex < 0) place.tabIndex = -1;
+  place.focus({ preventScroll: true });
+}
+
+/** What can be done from everywhere. What each room can do it registers itself. */
+function registerActions() {
+  const singleKeys = {
+    get: () => preferences.singleKeys,
+    set: (/** @type {boolean} */ on) => {
+      preferences.singleKeys = on;
+      remember({ singleKeys: on });
+    },
+  };
+  const tools = /** @type {const} */ ([["palette", "Ctrl+K"], ["settings", "s"], ["help", "?"]]);
+  actions.register(
+    ...tools.map(([name, key]) => ({
+      id: name,
+      word: name,
+      key,
+      run: () => void import("./shell/tools.js").then(({ open }) => open(name, { store, actions, singleKeys })),
+    })),
+    { id: "theme", word: "theme.next", key: "t", run: () => store.act("act.theme", (state) => ({ ...state, theme: THEMES[(THEMES.indexOf(state.theme) + 1) % THEMES.length] })) },
+    { id: "projector", word: "projector.toggle", key: "p", run: () => store.act("act.projector", (state) => ({ ...state, projector: !state.projector })) },
+    ...LANGUAGES.map((name) => ({
+      id: `language.${name}`,
+      word: `language.${name}`,
+      possible: () => store.state.language !== name,
+      run: () => store.act("act.language", (state) => ({ ...state, language: name })),
+    })),
+    ...PRESETS.map((id) => ({
+      id: `preset.${id}`,
+      word: "preset.use",
+      values: { figure: id },
+      possible: () => store.state.view !== "story",
+      run: () => store.act("act.preset", (state) => withPreset(state, id)),
+    })),
+    ...PRESETS.map((id) => ({ id: `figure.${id}`, word: "figure.go", values: { figure: id }, run: () => goTo(`fig-${id}`) })),
+  );
+}
 
 function showAppearance() {
   const { dataset } = document.documentElement;
@@ -185,31 +245,19 @@ async function chooseLanguage(chosen) {
 }
 
 store.subscribe((state, before) => {
-  if (state.view !== before.view) showView();
+  if (state.view !== before.view) {
+    places.set(before.view, scrollY);
+    showView();
+    scrollTo(0, places.get(state.view) ?? 0);
+  }
   if (state.theme !== before.theme || state.projector !== before.projector) showAppearance();
-  if (state.theme !== before.theme) remember(state.theme);
-  if (state.language !== before.language) void chooseLanguage(state.language);
+  if (state.theme !== before.theme) remember({ theme: state.theme });
+  if (state.language !== before.language) {
+    remember({ language: state.language });
+    void chooseLanguage(state.language);
+  }
 });
 if (language !== "en") void chooseLanguage(language);
-
-/** The theme that was chosen at the last visit. Storage may be forbidden: then it is as the system has it. */
-function recall() {
-  try {
-    return localStorage.getItem(THEME_KEY);
-  } catch {
-    return null;
-  }
-}
-
-/** @param {string} chosen */
-function remember(chosen) {
-  try {
-    if (chosen === "auto") localStorage.removeItem(THEME_KEY);
-    else localStorage.setItem(THEME_KEY, chosen);
-  } catch {
-    // It lasts as long as the page, then.
-  }
-}
 
 /**
  * @param {string} selector
@@ -219,13 +267,6 @@ function element(selector) {
   const found = document.querySelector(selector);
   if (found instanceof HTMLElement) return found;
   throw new Error(`the document has no ${selector}`);
-}
-
-const themeButton = document.querySelector("button.theme");
-if (themeButton instanceof HTMLButtonElement) {
-  const show = wireThemeButton(themeButton, () => store.state.theme, (chosen) => store.act("act.theme", (state) => ({ ...state, theme: chosen })));
-  store.subscribe(show);
-  onLanguage(show);
 }
 
 watchPrinting(paintAll);

@@ -38,7 +38,7 @@
  * @property {Readonly<Record<string, number>> | null} si  The real gear pair, in SI units, that the point stands for.
  */
 
-import { begin, record, redone, settled, undone } from "./history.js";
+import { begin, moved, record, redone, replaced, settled, undone } from "./history.js";
 import { presetGiven } from "./presets.js";
 
 /** @type {readonly View[]} */
@@ -60,7 +60,7 @@ export const UNTOUCHED = Object.freeze({ given: NOTHING, windows: Object.freeze(
 export const INITIAL = Object.freeze({
   view: "story",
   at: null,
-  preset: "11c",
+  preset: "T",
   point: NOTHING,
   figures: Object.freeze({}),
   theme: "auto",
@@ -212,11 +212,12 @@ export class Store {
    * @param {number} at
    */
   goTo(at) {
-    this.#move({ ...this.#history, at: Math.min(this.#history.entries.length - 1, Math.max(0, at)) });
+    this.#move(moved(this.#history, at));
   }
 
   /** While something is held, such as a slider, all it does is one action. */
   hold() {
+    this.release();
     this.#holding = true;
   }
 
@@ -233,7 +234,7 @@ export class Store {
   update(change) {
     const { entries, at } = this.#history;
     const entry = { ...entries[at], state: frozen({ ...this.state, ...change }) };
-    this.#move({ entries: entries.map((old, index) => (index === at ? entry : old)), at });
+    this.#move({ ...this.#history, entries: replaced(entries, at, entry) });
   }
 
   /**
@@ -290,7 +291,7 @@ export class Store {
     const before = this.given(key);
     const changed = Object.keys({ ...before, ...given }).filter((name) => before[name] !== given[name]);
     this.act("act.parameter", (state) => withPoint(withFigure(state, key, { given: own }), shared), {
-      merge: `${key} ${changed}`,
+      merge: this.#holding ? key : `${key} ${changed}`,
     });
   }
 

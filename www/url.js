@@ -61,34 +61,34 @@ const KEYS = new Map(
 export function write(state) {
   /** @type {string[]} */
   const parts = [];
-  const say = (/** @type {string} */ name, /** @type {string | number} */ value) => parts.push(`${name}=${escaped(value)}`);
-  const sayAll = (/** @type {string} */ before, /** @type {Record<string, string | number>} */ values) => {
-    for (const [name, value] of Object.entries(values)) say(`${before}${name.toLowerCase()}`, value);
+  const put = (/** @type {string} */ name, /** @type {string | number} */ value) => parts.push(`${name}=${escaped(value)}`);
+  const putAll = (/** @type {string} */ before, /** @type {Record<string, string | number>} */ values) => {
+    for (const [name, value] of Object.entries(values)) put(`${before}${name.toLowerCase()}`, value);
   };
-  if (state.at !== null) say("at", state.at);
-  if (state.preset !== INITIAL.preset) say("preset", state.preset);
-  sayAll("", state.point);
-  for (const [name, value] of Object.entries(state.si ?? {})) say(`si.${name}`, value);
+  if (state.at !== null) put("at", state.at);
+  if (state.preset !== INITIAL.preset) put("preset", state.preset);
+  putAll("", state.point);
+  for (const [name, value] of Object.entries(state.si ?? {})) put(`si.${name}`, value);
   for (const [element, figure] of Object.entries(state.figures)) {
     const key = element.replace(/^fig-/, "");
     if (!KEYS.has(key.toLowerCase())) continue;
-    sayAll(`${key}.`, figure.given);
-    for (const [frame, { x, y }] of Object.entries(figure.windows)) say(`${key}.window.${frame}`, `${x.join("..")},${y.join("..")}`);
+    putAll(`${key}.`, figure.given);
+    for (const [frame, { x, y }] of Object.entries(figure.windows)) put(`${key}.window.${frame}`, `${x.join("..")},${y.join("..")}`);
     if (figure.hidden.length > 0) parts.push(`${key}.hidden=${figure.hidden.map(escapedWhole).join(",")}`);
-    if (figure.view !== null) say(`${key}.view`, `${figure.view.azimuth},${figure.view.elevation}`);
+    if (figure.view !== null) put(`${key}.view`, `${figure.view.azimuth},${figure.view.elevation}`);
   }
   state.pinned.forEach((pin, index) => {
-    say(`pin${index + 1}.preset`, pin.preset);
-    sayAll(`pin${index + 1}.`, pin.point);
+    put(`pin${index + 1}.preset`, pin.preset);
+    putAll(`pin${index + 1}.`, pin.point);
   });
   if (state.lesson !== null) {
-    say("lesson", state.lesson.id);
-    if (state.lesson.step !== 0) say("step", state.lesson.step);
-    if (state.lesson.locked.length > 0) say("lock", state.lesson.locked.join(",").toLowerCase());
+    put("lesson", state.lesson.id);
+    if (state.lesson.step !== 0) put("step", state.lesson.step);
+    if (state.lesson.locked.length > 0) put("lock", state.lesson.locked.join(",").toLowerCase());
   }
-  if (state.theme !== INITIAL.theme) say("theme", state.theme);
-  if (state.projector) say("projector", "on");
-  if (state.language !== INITIAL.language) say("language", state.language);
+  if (state.theme !== INITIAL.theme) put("theme", state.theme);
+  if (state.projector) put("projector", "on");
+  if (state.language !== INITIAL.language) put("language", state.language);
   if (parts.length === 0) return state.view === INITIAL.view ? "" : state.view;
   return [state.view, `v=${VERSION}`, ...parts].join("&");
 }
@@ -278,7 +278,7 @@ class Reading {
    * @returns {number | undefined}
    */
   number(name, text, low, high) {
-    const value = NUMBER.test(text) ? Number(text) : NaN;
+    const value = numberOf(text);
     const allowed = high === Infinity ? "" : `${low} .. ${high}`;
     if (!Number.isFinite(value)) this.#refuse("number", name, text, allowed);
     else if (value < low || value > high) this.#refuse("range", name, text, allowed);
@@ -346,7 +346,7 @@ class Reading {
    * @param {string} value
    */
   #window(key, name, frame, value) {
-    const ends = value.split(",").map((axis) => axis.split("..").map((end) => (NUMBER.test(end) ? Number(end) : NaN)));
+    const ends = value.split(",").map((axis) => axis.split("..").map(numberOf));
     const [x, y] = ends;
     const fits = ends.length === 2 && ends.every(([low, high, more]) => more === undefined && Number.isFinite(low) && low < high && high < Infinity);
     if (fits && FRAME.test(frame)) {
@@ -363,7 +363,7 @@ class Reading {
    * @param {string} value
    */
   #view(key, name, value) {
-    const [azimuth, elevation, more] = value.split(",").map((angle) => (NUMBER.test(angle) ? Number(angle) : NaN));
+    const [azimuth, elevation, more] = value.split(",").map(numberOf);
     const fits = more === undefined && Math.abs(azimuth) <= 1000 && Math.abs(elevation) <= Math.PI / 2;
     if (fits) this.#figure(key).view = { azimuth, elevation };
     else this.#refuse("form", name, value, "0.6,0.3");
@@ -404,6 +404,11 @@ const SIMPLE = Object.assign(Object.create(null), {
   step: (/** @type {Reading} */ reading, /** @type {string} */ name, /** @type {string} */ value) => reading.step(name, value),
   lock: (/** @type {Reading} */ reading, /** @type {string} */ name, /** @type {string} */ value) => reading.lock(name, value),
 });
+
+/** The number that a text says; NaN where it says none. A zero has no sign. @param {string} text */
+function numberOf(text) {
+  return NUMBER.test(text) ? Number(text) + 0 : NaN;
+}
 
 /**
  * What of a point is not as in its preset.

@@ -1,6 +1,6 @@
 // The page around the figures: complete, quiet, at home, and whole on any screen.
 
-import { IDS, expect, figure, marked, open, test } from "./page.js";
+import { IDS, data, expect, figure, map, marked, open, test } from "./page.js";
 
 test("every figure has its heading, its caption, its words for the ear and its static drawing", async ({ page }) => {
   await open(page);
@@ -107,7 +107,7 @@ test("panels a, b, c stand side by side where there is room", async ({ page }) =
   expect(new Set(stacked.map((box) => Math.round(box?.x ?? NaN))).size).toBe(1);
 });
 
-test("the theme button goes round, figures follow, and the choice is kept", async ({ page }) => {
+test("a theme is chosen in the settings, figures follow, and the choice is kept", async ({ page }) => {
   await page.emulateMedia({ colorScheme: "light" });
   await open(page);
   const ground = () =>
@@ -116,17 +116,43 @@ test("the theme button goes round, figures follow, and the choice is kept", asyn
       return [.../** @type {any} */ (window).readPixels(canvas, [2, 2, 1, 1])].slice(0, 3);
     });
   expect(await ground()).toEqual([255, 255, 255]);
-  const button = page.getByRole("button", { name: /Theme/ });
-  await button.click();
-  await expect(button).toHaveText("Theme: light");
-  await button.click();
-  await expect(button).toHaveText("Theme: dark");
+  await page.getByRole("button", { name: "Settings" }).click();
+  const settings = page.getByRole("dialog", { name: "Settings" });
+  await settings.getByRole("radio", { name: "dark" }).check();
   await expect.poll(ground).toEqual([20, 23, 27]);
-  await page.reload();
-  await expect(button).toHaveText("Theme: dark");
+  await page.keyboard.press("Escape");
+  await expect(settings).toBeHidden();
+  await expect(page.getByRole("button", { name: "Settings" })).toBeFocused();
+  await page.goto("./?test=again");
+  await expect.poll(() => figure(page, "2").evaluate((element) => element.shadowRoot?.querySelector(".stage.live") !== null)).toBe(true);
   await expect.poll(ground).toEqual([20, 23, 27]);
   const same = await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
   expect(same).toBe("rgb(20, 23, 27)");
+});
+
+test("question, moving gears and the chart with its handle stand on the first screen, and the gears follow the handle", async ({ page }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await open(page);
+  await expect(page.getByRole("heading", { level: 1 })).toBeInViewport({ ratio: 1 });
+  for (const id of ["1", "T"]) await expect(figure(page, id).locator("canvas")).toBeInViewport({ ratio: 1 });
+  await expect.poll(async () => (await map(page, "T")).length).toBe(1);
+  const [{ plot, x, y }] = await map(page, "T");
+  const box = await figure(page, "T").locator("canvas").boundingBox();
+  if (box === null) throw new Error("no canvas");
+  const at = (/** @type {number} */ omega, /** @type {number} */ depth) => ({
+    x: box.x + plot.left + ((omega - x.low) / (x.high - x.low)) * (plot.right - plot.left),
+    y: box.y + plot.bottom - ((depth - y.low) / (y.high - y.low)) * (plot.bottom - plot.top),
+  });
+  const [from, to] = [at(1.6, 0.5), at(2.5, 0.3)];
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, { steps: 8 });
+  await page.mouse.up();
+  const { Omega, k0 } = (await data(page, "1")).params;
+  expect(Math.abs(Omega - 2.5)).toBeLessThan(0.02);
+  expect(Math.abs(k0 - 0.3)).toBeLessThan(0.01);
+  expect((await data(page, "T")).params).toMatchObject({ Omega, k0 });
+  await expect.poll(() => page.evaluate(() => location.hash)).toBe(`#story&v=1&omega=${Omega}&k0=${k0}`);
 });
 
 test("without scripts the static drawings and the whole text stand there", async ({ browser, baseURL }) => {

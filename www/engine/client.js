@@ -39,8 +39,11 @@ function shortForm(info) {
   return [{ ...info, name: short, symbol: info.symbol.replace(/_\{[pg]\}/, "_{s}"), short: null, sets }];
 }
 
-/** Figures of the paper have its numbers; those beyond it have letters, and wait until the paper's are there. */
-const OF_THE_PAPER = /^\d/;
+/**
+ * Figures of the paper have its numbers; those beyond it have letters, and wait until the paper's are there, but for the
+ * chart that the page opens with.
+ */
+const AT_ONCE = /^(\d|T$)/;
 
 export class Engine {
   #gear;
@@ -107,7 +110,7 @@ export class Engine {
         );
       };
       signal?.addEventListener("abort", abandon, { once: true });
-      if (OF_THE_PAPER.test(id)) run();
+      if (AT_ONCE.test(id)) run();
       else void this.#opened.then(run);
     });
   }

@@ -5,6 +5,7 @@
  * @typedef {object} Action
  * @property {string} id  Unique, such as `lab.play`.
  * @property {string} word  The key of its name in the catalogue.
+ * @property {Readonly<Record<string, string | number>>} [values]  What its name speaks of.
  * @property {string} [key]  Such as `Ctrl+Z`, `?` or `g`; letters alone are single-key shortcuts and can be switched off.
  * @property {() => void} run
  * @property {() => boolean} [possible]  Whether it can be done at present; always, when absent.

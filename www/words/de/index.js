@@ -6,6 +6,7 @@ import { words as figure } from "./figure.js";
 import { words as lab } from "./lab.js";
 import { words as shell } from "./shell.js";
 import { words as story } from "./story.js";
+import { words as tools } from "./tools.js";
 
 /** @type {import("../say.js").Words} */
-export const german = { ...classroom, ...exported, ...figure, ...lab, ...shell, ...story };
+export const german = { ...classroom, ...exported, ...figure, ...lab, ...shell, ...story, ...tools };
