@@ -109,7 +109,7 @@ test("svg() shows a window of the axes and leaves out what is hidden", () => {
   const windows = { [frame]: { x: /** @type {[number, number]} */ ([middle, x.high]) } };
   const half = gear.svg(figure, {}, { view: { windows } });
   assert.notEqual(half, gear.svg(figure));
-  const [first] = figure.series.filter(({ mark }) => mark === "curve");
+  const [first] = figure.series.filter((/** @type {any} */ { mark }) => mark === "curve");
   const less = gear.svg(figure, {}, { view: { hidden: [first.name] } });
   assert.ok(!less.includes(`data-series="${first.name}"`) && gear.svg(figure).includes(`data-series="${first.name}"`));
 });
