@@ -3,7 +3,7 @@
 import { engine, GearError, PRIORITY } from "./engine/running.js";
 import { watchPrinting } from "./figure/appearance.js";
 import { GearFigure } from "./figure/gear-figure.js";
-import { paintAll } from "./figure/paint-queue.js";
+import { paintAll, painted } from "./figure/paint-queue.js";
 import { provide } from "./figure/services.js";
 import { PRESETS } from "./presets.js";
 import { Actions } from "./shell/actions.js";
@@ -275,5 +275,5 @@ customElements.define("gear-figure", GearFigure);
 
 // With `?test` in the address, tests may break what only bad luck breaks.
 if (new URLSearchParams(location.search).has("test")) {
-  services.then(({ engine: running }) => Object.assign(window, { __gear: { engine: running, store, actions } }));
+  services.then(({ engine: running }) => Object.assign(window, { __gear: { engine: running, store, actions, painted } }));
 }

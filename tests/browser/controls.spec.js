@@ -70,6 +70,7 @@ for (const [what, written, sentence] of [
   test(`bad input, ${what}: a sentence beside the control, the picture kept, and mended again`, async ({ page }) => {
     await open(page);
     const { box, complaint } = await control(page, "3", "k0");
+    await settled(page, "3");
     const before = await figure(page, "3").evaluate(picture);
     await page.evaluate(() => {
       document.addEventListener("gear-error", (event) => Object.assign(window, { told: /** @type {CustomEvent} */ (event).detail }));
@@ -115,6 +116,8 @@ test("attributes give parameters in any letter case, and what is wrong with them
 
 test("what was changed is told: gear-change with the full parameters", async ({ page }) => {
   await open(page);
+  // Only what has been ready can change.
+  await data(page, "4");
   const { box } = await control(page, "4", "m");
   const told = page.evaluate(
     () =>

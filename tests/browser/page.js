@@ -138,13 +138,14 @@ export function valueAt(of, at) {
 }
 
 /**
- * The map between pixels and data of a figure's last drawing.
+ * The map between pixels and data of a figure's drawing, once that is complete.
  *
  * @param {Page} page
  * @param {string} id
  * @returns {Promise<FrameMap[]>}
  */
 export async function map(page, id) {
+  await settled(page, id);
   const text = await figure(page, id).evaluate((element) =>
     JSON.stringify(/** @type {GearFigure} */ (element).map(), (_, value) =>
       ArrayBuffer.isView(value) ? [...(/** @type {Float64Array} */ (value))] : value,
@@ -154,7 +155,8 @@ export async function map(page, id) {
 }
 
 /**
- * Waits until a figure's canvas has been drawn with what it last computed.
+ * Waits until a figure's canvas has been drawn with what it last computed. On a busy machine the drawing may take its turn
+ * long after the numbers are there: it is asked for, not counted in frames.
  *
  * @param {Page} page
  * @param {string} id
@@ -162,7 +164,7 @@ export async function map(page, id) {
 export async function settled(page, id) {
   await figure(page, id).evaluate(async (element) => {
     await /** @type {GearFigure} */ (element).data();
-    for (let frame = 0; frame < 4; frame += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+    await /** @type {any} */ (window).__gear.painted(element);
   });
 }
 
@@ -173,7 +175,8 @@ export async function settled(page, id) {
  * @param {string} id
  * @param {{frame: string, x: number, y: number, color: Color, reach?: number}} wanted
  */
-export function distanceToColor(page, id, { frame, x, y, color, reach = 12 }) {
+export async function distanceToColor(page, id, { frame, x, y, color, reach = 12 }) {
+  await settled(page, id);
   return figure(page, id).evaluate(
     (element, given) => {
       const canvas = element.shadowRoot?.querySelector("canvas");
@@ -211,16 +214,16 @@ export function ink(page, id) {
   return figure(page, id).evaluate(async (element) => {
     const live = /** @type {GearFigure} */ (element);
     const canvas = element.shadowRoot?.querySelector("canvas");
+    const { engine, painted } = /** @type {any} */ (window).__gear;
     const shown = await live.data();
-    // What is complete is drawn in one of the next animation frames.
-    for (let wait = 0; wait < 10; wait += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+    // The pixels are read in the very task in which they are known to be drawn: what moves goes on moving.
+    await painted(live);
     const frames = live.map()?.frames ?? [];
     if (!canvas) throw new Error("no canvas");
     const density = canvas.width / canvas.clientWidth;
     const empty = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
     Object.assign(empty.style, { width: `${canvas.clientWidth}px`, height: `${canvas.clientHeight}px`, position: "fixed", left: "-9999px" });
     document.body.append(empty);
-    const { engine } = /** @type {any} */ (window).__gear;
     engine.draw({ ...shown, series: [] }, empty, { theme: "light", density });
     /** @type {Record<string, number>} */
     const counts = {};

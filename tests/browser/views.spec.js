@@ -67,6 +67,7 @@ const picture = (page) =>
 test("figure 1 moves, pauses by button and by the space bar, and stands while out of sight", async ({ page }) => {
   await open(page);
   await figure(page, "1").scrollIntoViewIfNeeded();
+  await settled(page, "1");
   const first = await picture(page);
   await expect.poll(() => picture(page)).not.toBe(first);
   await figure(page, "1").getByRole("button", { name: "Pause" }).click();
@@ -91,6 +92,7 @@ test.describe("with reduced motion", () => {
   test.use({ contextOptions: { reducedMotion: "reduce" } });
   test("figure 1 stands still until it is asked to move", async ({ page }) => {
     await open(page);
+    await settled(page, "1");
     const first = await picture(page);
     await page.waitForTimeout(300);
     expect(await picture(page)).toBe(first);

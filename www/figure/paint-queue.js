@@ -9,6 +9,8 @@ const BUDGET = 24;
 
 /** @type {Set<Painter>} */
 const waiting = new Set();
+/** Who wants to know when a painter has painted. @type {{painter: Painter, tell: () => void}[]} */
+let asking = [];
 let requested = false;
 
 /** @param {Painter} painter */
@@ -23,6 +25,24 @@ export function requestPaint(painter) {
 /** @param {Painter} painter */
 export function forgetPaint(painter) {
   waiting.delete(painter);
+  tellWhoAsked();
+}
+
+/**
+ * Resolves once nothing of this painter's waits to be drawn: however many frames that takes.
+ *
+ * @param {Painter} painter
+ * @returns {Promise<void>}
+ */
+export function painted(painter) {
+  if (!waiting.has(painter)) return Promise.resolve();
+  return new Promise((resolve) => asking.push({ painter, tell: resolve }));
+}
+
+function tellWhoAsked() {
+  const done = asking.filter(({ painter }) => !waiting.has(painter));
+  asking = asking.filter(({ painter }) => waiting.has(painter));
+  for (const { tell } of done) tell();
 }
 
 /** Draws everything that waits, at once: before the page is printed. */
@@ -31,6 +51,7 @@ export function paintAll() {
     waiting.delete(painter);
     painter.paint();
   }
+  tellWhoAsked();
 }
 
 function paintFrame() {
@@ -42,6 +63,7 @@ function paintFrame() {
     painter.paint();
     if (performance.now() - start > BUDGET) break;
   }
+  tellWhoAsked();
   if (waiting.size > 0 && !requested) {
     requested = true;
     requestAnimationFrame(paintFrame);
