@@ -17,7 +17,8 @@ export default defineConfig({
   workers: 2,
   fullyParallel: true,
   forbidOnly: Boolean(process.env.CI),
-  timeout: 60_000,
+  // A guard against what hangs, not a measure of speed: a busy machine takes its time over the heavier figures.
+  timeout: 120_000,
   reporter: [["list"]],
   use: {
     // Ends with a slash: tests say page.goto("./") and stay under the prefix.
