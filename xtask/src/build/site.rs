@@ -79,8 +79,14 @@ fn package() -> String {
 }
 
 impl Site {
-    fn add(&mut self, name: &str, content: impl Into<Vec<u8>>) {
+    /// Adds a file with this content.
+    pub fn add(&mut self, name: &str, content: impl Into<Vec<u8>>) {
         self.0.insert(name.to_owned(), content.into());
+    }
+
+    /// A file of the folder.
+    pub fn file(&self, name: &str) -> Option<&[u8]> {
+        self.0.get(name).map(Vec::as_slice)
     }
 
     /// Adds a file as it is.
