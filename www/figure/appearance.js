@@ -14,6 +14,8 @@ let printing = false;
 
 /** Curves stay smooth at two pixels a CSS pixel even where the screen has one. */
 const LEAST_DENSITY = 2;
+/** More pixels than this a CSS pixel nobody tells apart. */
+const MOST_DENSITY = 8;
 
 /**
  * @param {ThemeChoice | string | null} choice
@@ -26,7 +28,12 @@ export function resolveTheme(choice) {
 }
 
 export function density() {
-  return Math.min(8, Math.max(LEAST_DENSITY, devicePixelRatio));
+  return Math.min(MOST_DENSITY, Math.max(LEAST_DENSITY, devicePixelRatio));
+}
+
+/** The screen's own density: enough for what is not seen yet, and drawn in half the time. */
+export function coarseDensity() {
+  return Math.min(MOST_DENSITY, Math.max(1, devicePixelRatio));
 }
 
 /** Whether the reader has asked for things to stand still. */

@@ -16,7 +16,7 @@
  */
 
 import { createPanel } from "../controls/panel.js";
-import { density, onAppearance, resolveTheme, wantsStill } from "./appearance.js";
+import { coarseDensity, density, onAppearance, resolveTheme, wantsStill } from "./appearance.js";
 import { givenByAttributes } from "./attributes.js";
 import { createButtons } from "./bar.js";
 import { Computation } from "./computation.js";
@@ -74,6 +74,10 @@ export class GearFigure extends HTMLElement {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #notice;
   #frame = 0;
+  /** Whether what is drawn has yet to be drawn as finely as it should be. */
+  #coarse = false;
+  /** Whether the page has opened, and can draw as finely as it likes. */
+  #settled = false;
   #life = new AbortController();
   /** Whether it is on the screen or nearly so. */
   inSight = false;
@@ -172,10 +176,13 @@ export class GearFigure extends HTMLElement {
     const { stage, canvas } = this.#parts;
     if (this.#figure === null || this.#services === null || stage.clientWidth < NARROWEST) return;
     const theme = resolveTheme(this.getAttribute("theme") ?? this.#services.store.state.theme);
-    fitStore(canvas, stage, density());
     const view = { ...this.#turning?.direction, ...(this.#clock && { time: this.#clock.time }) };
+    // While the page opens, what is out of sight need not be fine yet: that makes room for what is seen.
+    this.#coarse = !this.#settled && !this.inSight && density() > coarseDensity();
+    const pixels = this.#coarse ? coarseDensity() : density();
+    fitStore(canvas, stage, pixels);
     try {
-      this.#maps = this.#services.engine.draw(this.#figure, canvas, { theme, density: density(), view });
+      this.#maps = this.#services.engine.draw(this.#figure, canvas, { theme, density: pixels, view });
     } catch (thrown) {
       this.#complain(thrown);
       return;
@@ -183,7 +190,11 @@ export class GearFigure extends HTMLElement {
     if (stage.classList.contains("live")) return;
     stage.classList.add("live");
     this.#services.painted(this);
-    this.#services.later(() => this.#buildPanel());
+    this.#services.later(() => {
+      this.#buildPanel();
+      this.#settled = true;
+      if (this.#coarse) this.#repaint();
+    });
   }
 
   /** Before anything is known of the figure, its static drawing says how much room it takes. */
@@ -410,7 +421,7 @@ export class GearFigure extends HTMLElement {
   /** @param {boolean} inSight */
   #see(inSight) {
     this.inSight = inSight;
-    if (inSight && this.#computation?.busy) this.#repaint();
+    if (inSight && (this.#coarse || this.#computation?.busy)) this.#repaint();
     if (this.#clock) this.#clock.seen = inSight;
   }
 

@@ -1,5 +1,6 @@
 /**
- * Draws figures in animation frames, those in sight first, and no longer in one frame than the page can spare.
+ * Draws figures: those in sight in animation frames, and no longer in one frame than the page can spare; the others
+ * between frames, one at a time, for nobody sees when they change.
  *
  * @typedef {{readonly inSight: boolean, paint(): void}} Painter
  */
@@ -11,15 +12,16 @@ const BUDGET = 24;
 const waiting = new Set();
 /** Who wants to know when a painter has painted. @type {{painter: Painter, tell: () => void}[]} */
 let asking = [];
-let requested = false;
+let framed = false;
+let posted = false;
+
+const between = new MessageChannel();
+between.port1.onmessage = paintBetween;
 
 /** @param {Painter} painter */
 export function requestPaint(painter) {
   waiting.add(painter);
-  if (!requested) {
-    requested = true;
-    requestAnimationFrame(paintFrame);
-  }
+  schedule();
 }
 
 /** @param {Painter} painter */
@@ -47,25 +49,46 @@ function tellWhoAsked() {
 
 /** Draws everything that waits, at once: before the page is printed. */
 export function paintAll() {
-  for (const painter of [...waiting]) {
-    waiting.delete(painter);
-    painter.paint();
-  }
+  for (const painter of [...waiting]) paint(painter);
   tellWhoAsked();
 }
 
+function schedule() {
+  const painters = [...waiting];
+  if (!framed && painters.some(({ inSight }) => inSight)) {
+    framed = true;
+    requestAnimationFrame(paintFrame);
+  }
+  if (!posted && painters.some(({ inSight }) => !inSight)) {
+    posted = true;
+    between.port2.postMessage(null);
+  }
+}
+
 function paintFrame() {
-  requested = false;
+  framed = false;
   const start = performance.now();
-  const order = [...waiting].sort((one, other) => Number(other.inSight) - Number(one.inSight));
-  for (const painter of order) {
-    waiting.delete(painter);
-    painter.paint();
+  for (const painter of [...waiting].filter(({ inSight }) => inSight)) {
+    paint(painter);
     if (performance.now() - start > BUDGET) break;
   }
   tellWhoAsked();
-  if (waiting.size > 0 && !requested) {
-    requested = true;
-    requestAnimationFrame(paintFrame);
+  schedule();
+}
+
+function paintBetween() {
+  posted = false;
+  for (const painter of waiting) {
+    if (painter.inSight) continue;
+    paint(painter);
+    break;
   }
+  tellWhoAsked();
+  schedule();
+}
+
+/** @param {Painter} painter */
+function paint(painter) {
+  waiting.delete(painter);
+  painter.paint();
 }
