@@ -6,6 +6,7 @@
 
 use super::basin::{BasinOptions, basin};
 use super::branch::{BranchOptions, branch};
+use super::chart_work::ChartWork;
 use super::diagram::{DiagramOptions, diagram};
 use super::grid::Grid;
 use super::motion;
@@ -23,33 +24,49 @@ use crate::numerics::ode::runge_kutta::rk4_fixed;
 pub struct Job {
     /// What is done, and how well.
     pub name: &'static str,
+    /// The most it may take in a single worker in wasm in Chromium, warm, in microseconds; none for a baseline.
+    pub ceiling: Option<f64>,
     run: fn(&Parameters) -> Result<f64, StudyError>,
+}
+
+const fn ours(name: &'static str, ceiling: f64, run: fn(&Parameters) -> Result<f64, StudyError>) -> Job {
+    Job { name, ceiling: Some(ceiling), run }
+}
+
+const fn baseline(name: &'static str, run: fn(&Parameters) -> Result<f64, StudyError>) -> Job {
+    Job { name, ceiling: None, run }
 }
 
 /// The jobs. Each of ours is followed by its baseline, if it has one: its name begins with "plain RK4", and where it ends
 /// with "N of M" it does that part.
-pub const JOBS: [Job; 15] = [
-    Job { name: "monodromy to 1e-10", run: |p| Ok(linear_monodromy(p, 1e-10, 1.0)?[0][0]) },
-    Job { name: "plain RK4: monodromy to 1e-10", run: |p| plain_monodromy(p, 1.0 / FINE) },
-    Job { name: "100 periods to 1e-10", run: hundred_periods },
-    Job {
-        name: "plain RK4: 100 periods to 1e-10, 5 of 100",
-        run: |p| Ok(plain_motion(p, ORBIT, 5.0, 1.0 / FINE)?[0]),
-    },
-    Job { name: "stability chart 200 x 200 to 1e-6", run: chart },
-    Job { name: "plain RK4: stability chart to 1e-6, 100 of 40000 points", run: plain_chart },
-    Job { name: "branch of 200 points with multipliers to 1e-8", run: |p| Ok(branch_of_200(p)?.0) },
-    Job { name: "plain RK4: one Newton step a point to 1e-8, 4 of 200 points", run: plain_branch },
-    Job { name: "boundary of tongue 2, 90 points to 1e-9", run: |p| boundary(p, Tongue::Primary2, 90) },
-    Job { name: "plain RK4: two monodromies a point to 1e-9, 5 of 90 points", run: |p| plain_boundary(p, 5) },
-    Job {
-        name: "boundary of the combination tongue, 80 points to 1e-9",
-        run: |p| boundary(p, Tongue::Combination, 80),
-    },
-    Job { name: "plain RK4: two monodromies a point to 1e-9, 4 of 80 points", run: |p| plain_boundary(p, 4) },
-    Job { name: "invariant circle, converged", run: |p| Ok(torus(&at(p, 3.7), 1e-8)?.mean_radius) },
-    Job { name: "automatic diagram of figure 10", run: whole_diagram },
-    Job { name: "basins of figure 11 c, 64 x 64 starts", run: basins },
+pub const JOBS: [Job; 20] = [
+    Job { name: "monodromy to 1e-10", ceiling: None, run: |p| Ok(linear_monodromy(p, 1e-10, 1.0)?[0][0]) },
+    baseline("plain RK4: monodromy to 1e-10", |p| plain_monodromy(p, 1.0 / FINE)),
+    ours("100 periods to 1e-10", 500.0, hundred_periods),
+    baseline(
+        "plain RK4: 100 periods to 1e-10, 5 of 100",
+        |p| Ok(plain_motion(p, ORBIT, 5.0, 1.0 / FINE)?[0]),
+    ),
+    ours("stability chart 200 x 200 to 1e-6", 6e3, chart),
+    baseline("plain RK4: stability chart to 1e-6, 100 of 40000 points", plain_chart),
+    ours("branch of 200 points with multipliers to 1e-8", 8e3, |p| Ok(branch_of_200(p)?.0)),
+    baseline("plain RK4: one Newton step a point to 1e-8, 4 of 200 points", plain_branch),
+    ours("boundary of tongue 2, 90 points to 1e-9", 2e3, |p| boundary(p, Tongue::Primary2, 90)),
+    baseline("plain RK4: two monodromies a point to 1e-9, 5 of 90 points", |p| plain_boundary(p, 5)),
+    ours("boundary of the combination tongue, 80 points to 1e-9", 2e3, |p| {
+        boundary(p, Tongue::Combination, 80)
+    }),
+    baseline("plain RK4: two monodromies a point to 1e-9, 4 of 80 points", |p| plain_boundary(p, 4)),
+    ours("invariant circle, converged", 60e3, |p| Ok(torus(&at(p, 3.7), 1e-8)?.mean_radius)),
+    baseline("plain RK4: the map and its derivative at each node once, 2 of 65 points", plain_circle),
+    ours("automatic diagram of figure 10, exact, Omega 1 to 6", 500e3, whole_diagram),
+    ours("chart about the response to a load, 100 x 100 to 1e-6", 1e6, loaded_chart),
+    baseline("plain RK4: one Newton step a point to 1e-6, 25 of 10000 points", plain_loaded_chart),
+    ours("basins of figure 11 c, 256 x 256 starts, one of two shares", 8e6, |p| basins(p, 256, (0, 2))),
+    ours("basins of figure 11 c, a first picture of 64 x 64 starts, one of two shares", 500e3, |p| {
+        basins(p, 64, (0, 2))
+    }),
+    baseline("plain RK4: starts carried over 100 periods to 1e-6, 4 of 2048 points", plain_basins),
 ];
 
 /// Does a job `repetitions` times; answers a number that depends on all its results, so that none can be left out.
@@ -116,10 +133,22 @@ fn whole_diagram(p: &Parameters) -> Result<f64, StudyError> {
     Ok(diagram.branches.iter().flat_map(|branch| &branch.max_u_p).sum())
 }
 
-fn basins(p: &Parameters) -> Result<f64, StudyError> {
-    let grid = |reach: f64| Grid { low: -reach, high: reach, count: 64 };
-    let found = basin(p, &BasinOptions::new(p, grid(4.0), grid(4.0)))?;
+fn basins(p: &Parameters, count: usize, share: (usize, usize)) -> Result<f64, StudyError> {
+    let grid = Grid { low: -4.0, high: 4.0, count };
+    let found = basin(p, &BasinOptions { share, ..BasinOptions::new(p, grid, grid) })?;
     Ok(found.attractor.iter().map(|index| f64::from(*index)).sum())
+}
+
+/// The same pair under a load in permanent contact.
+fn loaded(p: &Parameters) -> Parameters {
+    Parameters { regime: Regime::Contact, load: 2.0, ..*p }
+}
+
+fn loaded_chart(p: &Parameters) -> Result<f64, StudyError> {
+    let grid = |low, high| Grid { low, high, count: 100 };
+    let mut work = ChartWork::new(&loaded(p), grid(0.4, 7.0), grid(0.0, 1.0), 1e-6, None)?;
+    while !work.advance()? {}
+    Ok(work.chart().spectral_radius.iter().filter(|radius| radius.is_finite()).sum())
 }
 
 fn plain_motion(p: &Parameters, start: [f64; 6], periods: f64, step: f64) -> Result<[f64; 6], NumericsError> {
@@ -151,17 +180,47 @@ fn plain_chart(p: &Parameters) -> Result<f64, StudyError> {
     Ok(sum)
 }
 
-/// The orbit and its six variations over 2T, as differences: what one step of Newton's method needs.
+/// A motion and its six variations, as differences: what one step of Newton's method needs.
+fn plain_variations(p: &Parameters, start: [f64; 6], periods: f64, step: f64) -> Result<f64, StudyError> {
+    let mut sum = plain_motion(p, start, periods, step)?[0];
+    for column in 0..6 {
+        let mut start = start;
+        start[column] += 1e-6;
+        sum += plain_motion(p, start, periods, step)?[column];
+    }
+    Ok(sum)
+}
+
 fn plain_branch(p: &Parameters) -> Result<f64, StudyError> {
+    let points = (0..4).map(|point| at(p, 1.64 + 0.005 * f64::from(point)));
+    points.map(|p| plain_variations(&p, ORBIT, 2.0, 1.0 / MEDIUM)).sum()
+}
+
+/// Only what Newton's method on the collocated circle needs in one of its steps.
+fn plain_circle(p: &Parameters) -> Result<f64, StudyError> {
+    let p = at(p, 3.7);
+    let points = (0..2).map(|point| ORBIT.map(|coordinate| 0.1 * coordinate * f64::from(point + 1)));
+    points.map(|start| plain_variations(&p, start, 1.0, 1.0 / MEDIUM)).sum()
+}
+
+fn plain_loaded_chart(p: &Parameters) -> Result<f64, StudyError> {
+    let mut sum = 0.0;
+    for row in 0..5 {
+        for column in 0..5 {
+            let omega = 1.06 + 1.32 * f64::from(column);
+            let p = Parameters { k0: (f64::from(row) + 0.5) / 5.0, ..at(&loaded(p), omega) };
+            sum += plain_variations(&p, [-0.4, 0.4, 2.8, 0.0, 0.0, 0.0], 1.0, 1.0 / COARSE)?;
+        }
+    }
+    Ok(sum)
+}
+
+/// Most starts need some 100 periods until it is certain where they go.
+fn plain_basins(p: &Parameters) -> Result<f64, StudyError> {
     let mut sum = 0.0;
     for point in 0..4 {
-        let p = at(p, 1.64 + 0.005 * f64::from(point));
-        sum += plain_motion(&p, ORBIT, 2.0, 1.0 / MEDIUM)?[0];
-        for column in 0..6 {
-            let mut start = ORBIT;
-            start[column] += 1e-6;
-            sum += plain_motion(&p, start, 2.0, 1.0 / MEDIUM)?[column];
-        }
+        let place = 0.3 * f64::from(point + 1);
+        sum += plain_motion(p, [place, -place, 0.0, 0.0, 0.0, 0.0], 100.0, 1.0 / COARSE)?[0];
     }
     Ok(sum)
 }
