@@ -6,8 +6,9 @@
     pip install fonttools brotli
     python3 subset.py text/package math/package ../../../src/chart/metrics/table.rs
 
-Writes regular.woff2, italic.woff2, bold.woff2 and signs.woff2 beside this script, and the table of advance widths.
-The text faces have no arrows and no relations but = < >; signs.woff2 brings these from the mathematical face.
+Writes regular.woff2, italic.woff2, bold.woff2, signs.woff2 and math.woff2 beside this script, and the table of advance widths.
+The text faces have no arrows and no relations but = < >; signs.woff2 brings these from the mathematical face. math.woff2 is
+that face for the page's equations: their letters, and the table by which browsers place roots and fractions.
 """
 
 import sys
@@ -32,6 +33,53 @@ GREEK = [c for c in range(0x391, 0x3CA) if c != 0x3A2] + [0x3D1, 0x3D5, 0x3D6, 0
 SIGNS = [ord(c) for c in "‐–—‘’‚“”„†‡•…‰′″‴⁄−∕∂∆∏∑√∞∫≈≠≡≤≥±×·÷→←↑↓↔⇒∈∝∓∘⟨⟩ℓ€™  "]
 # Advance widths are tabled for all of these; the woff2 files hold the same characters.
 CHARACTERS = sorted(set(LATIN + GREEK + SIGNS))
+
+# Letters and signs of the page's equations; tests/browser/story.spec.js finds those that are missing.
+MATH_ITALIC = "abcdfgijkmqrtuxBCEFHIJKMRTWZ"
+MATH_GREEK = "Ωαβδζθλσψω"
+MATH_UPRIGHT = "acdegijlmnopqrstuxBCDLRT0123456789()[]|+=<>,.;:'-/  −±·×′…√"
+# Signs that stretch: all other variants of glyphs are left out.
+STRETCHED = "√()|"
+
+
+def math_italic(letter: str) -> int:
+    """Where browsers look for a single letter of an equation."""
+    if letter == "h":
+        return 0x210E
+    for first, italic in (("A", 0x1D434), ("a", 0x1D44E), ("Α", 0x1D6E2), ("α", 0x1D6FC)):
+        if ord(first) <= ord(letter) < ord(first) + 26:
+            return italic + ord(letter) - ord(first)
+    raise ValueError(letter)
+
+
+def shrink_math(source: Path, target: Path) -> None:
+    """The mathematical face for equations, with its table of constants."""
+    font = TTFont(source)
+    names = font.getBestCmap()
+    stretched = {names[ord(c)] for c in STRETCHED}
+    variants = font["MATH"].table.MathVariants
+    for way in ("Vert", "Horiz"):
+        coverage = getattr(variants, f"{way}GlyphCoverage")
+        kept = [
+            (glyph, built)
+            for glyph, built in zip(coverage.glyphs, getattr(variants, f"{way}GlyphConstruction"))
+            if glyph in stretched
+        ]
+        coverage.glyphs = [glyph for glyph, _ in kept]
+        setattr(variants, f"{way}GlyphConstruction", [built for _, built in kept])
+        setattr(variants, f"{way}GlyphCount", len(kept))
+    for table in ("GSUB", "GPOS", "GDEF"):
+        del font[table]
+    options = subset.Options()
+    options.flavor = "woff2"
+    options.hinting = False
+    options.notdef_outline = False
+    options.name_IDs = [0, 1, 2, 13, 14]
+    cutter = subset.Subsetter(options)
+    letters = [math_italic(c) for c in MATH_ITALIC + MATH_GREEK]
+    cutter.populate(unicodes=sorted({*letters, *map(ord, MATH_UPRIGHT), *SIGNS} & set(names)))
+    cutter.subset(font)
+    subset.save_font(font, str(target), options)
 
 
 def shrink(source: Path, target: Path, characters: list[int]) -> None:
@@ -84,6 +132,7 @@ def main() -> None:
         covered |= set(widths)
         lines += rows(widths, face.upper(), f"The {face} face: first character of a run, widths of the run.")
     shrink(math, HERE / "signs.woff2", [c for c in CHARACTERS if c not in covered])
+    shrink_math(math, HERE / "math.woff2")
     signs = {c: w for c, w in advances(math).items() if c not in covered}
     lines += rows(signs, "SIGNS", "Arrows and relations, from the mathematical face.")
     print("unicode-range:", ", ".join(f"U+{c:04X}" for c in sorted(signs)))
