@@ -1,6 +1,7 @@
 //! `cargo xtask build`: from the sources to a static folder that any web server can serve.
 
 mod bindings;
+mod equations;
 mod link;
 mod module;
 mod modules;

@@ -2,7 +2,7 @@
 
 use super::bindings::Generated;
 use super::modules::Modules;
-use super::{link, module, script};
+use super::{equations, link, module, script};
 use crate::{Failure, place};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -32,6 +32,7 @@ pub fn gather(root: &Path, generated: &Generated) -> Result<Site, Failure> {
     site.add("package.json", package());
     site.copy(&www.join("engine/gear-bifurcations.d.ts"), "gear-bifurcations.d.ts")?;
     site.copy(&root.join("index.html"), "index.html")?;
+    site.add(equations::PAGE, equations::page(root)?);
     let mut modules = Modules::new();
     for name in place::files_below(&www)? {
         let (from, path) = (www.join(&name), format!("www/{name}"));
