@@ -14,6 +14,7 @@ import { problemWords, showNotice } from "./shell/notice.js";
 import { recall, remember } from "./shell/preferences.js";
 import { announcer } from "./shell/services.js";
 import { LANGUAGES, Store, THEMES, withPreset } from "./state.js";
+import { startStory } from "./story/story.js";
 import { parse } from "./url.js";
 import { words as figureWords } from "./words/en/figure.js";
 import { words as shellWords } from "./words/en/shell.js";
@@ -269,6 +270,7 @@ function element(selector) {
   throw new Error(`the document has no ${selector}`);
 }
 
+startStory(element('main > [data-view="story"]'), store, engine);
 watchPrinting(paintAll);
 provide(services);
 customElements.define("gear-figure", GearFigure);

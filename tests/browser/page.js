@@ -14,7 +14,7 @@ import { test as base, expect } from "@playwright/test";
 
 /** Figures in the order of the page. */
 export const IDS = (
-  "1 T 2 3 4 5 6 7 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c 14a 14b B M S L A E"
+  "1 T M 3 2 5 4 7 6 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c B S A 14a 14b L E"
 ).split(" ");
 
 /** The colours that mean something, light theme. @type {Record<"exact" | "paper" | "corrected" | "supercritical" | "subcritical", Color>} */

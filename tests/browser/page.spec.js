@@ -31,8 +31,8 @@ test("every figure has its heading, its caption, its words for the ear and its s
     // As wide over high as the live one, or the page would jump.
     expect(Math.abs(ratio / aspect - 1), id).toBeLessThan(0.005);
   }
-  await expect(page.locator("figure > h3")).toHaveCount(22);
-  await expect(page.locator("figcaption")).toHaveCount(22);
+  await expect(page.locator("figure > :is(h2, h3)")).toHaveCount(22);
+  await expect(page.locator("figure:has(gear-figure) > figcaption")).toHaveCount(22);
 });
 
 test("the first live figure and all of them are marked", async ({ page }) => {

@@ -3,7 +3,7 @@
 //! What a part imports when it runs is one thing; what it says about types in a JSDoc comment is another, and free.
 
 /// The parts of `www/`, each with the parts whose modules it may import when it runs.
-const ARROWS: [(&str, &[&str]); 11] = [
+const ARROWS: [(&str, &[&str]); 12] = [
     (
         "main",
         &[
@@ -14,6 +14,7 @@ const ARROWS: [(&str, &[&str]); 11] = [
             "controls",
             "words",
             "shell",
+            "story",
             "lab",
             "classroom",
             "exports",
@@ -26,6 +27,7 @@ const ARROWS: [(&str, &[&str]); 11] = [
     ("figure", &["figure", "controls", "words"]),
     ("controls", &["controls", "figure", "words"]),
     ("shell", &["shell", "state", "words"]),
+    ("story", &["story", "state", "words"]),
     ("exports", &["exports", "state", "figure", "words"]),
     ("lab", &["lab", "state", "figure", "controls", "exports", "words"]),
     ("classroom", &["classroom", "state", "figure", "controls", "exports", "words"]),
@@ -208,6 +210,7 @@ mod tests {
             ("www/words/say.js", "import { language } from \"../state.js\";"),
             ("www/lab/lab.js", "import { engine } from \"../engine/running.js\";"),
             ("www/lab/lab.js", "import { lessons } from \"../classroom/lessons.js\";"),
+            ("www/story/story.js", "import { engine } from \"../engine/running.js\";"),
             ("www/shell/palette.js", "import { start } from \"../lab/lab.js\";"),
             ("www/engine/client.js", "import { state } from \"../state.js\";"),
             ("www/engine/client.js", "import fs from \"node:fs\";"),

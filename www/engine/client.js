@@ -127,6 +127,20 @@ export class Engine {
     return this.#gear.draw(figure, undefined, canvas, options).frames;
   }
 
+  /**
+   * What closed formulas say of equal supports; null where they say nothing.
+   *
+   * @param {Given} given
+   */
+  formulas(given) {
+    try {
+      return { modes: this.#gear.modes(given), tongues: this.#gear.tongues(given) };
+    } catch (thrown) {
+      if (thrown instanceof GearError) return null;
+      throw thrown;
+    }
+  }
+
   /** Lets computations run to their ends: until this is called they stop at their first picture. */
   complete() {
     this.#pool.complete();

@@ -27,15 +27,36 @@ export function showRows(place, figure) {
   const table = place.querySelector("table") ?? begin(place, figure.title);
   const body = table.tBodies[0];
   const key = (/** @type {TableRow} */ row) => JSON.stringify(row);
+  const places = placesOf(figure.id, rows);
   rows.forEach((row, index) => {
     const old = body.rows[index];
     if (old?.dataset.key === key(row)) return;
     const made = line(row, index + 1);
     made.dataset.key = key(row);
+    made.id = places[index];
     if (old) old.replaceWith(made);
     else body.append(made);
   });
   while (body.rows.length > rows.length) body.deleteRow(-1);
+}
+
+/**
+ * A name for each row by which it can be linked to: where it stands in the paper, such as `E-106-109`. The second of the
+ * same name is `E-56-2`.
+ *
+ * @param {string} id  The figure's.
+ * @param {readonly TableRow[]} rows
+ * @returns {string[]}
+ */
+export function placesOf(id, rows) {
+  /** @type {Map<string, number>} */
+  const met = new Map();
+  return rows.map(({ where }) => {
+    const name = `${id}-${where.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "")}`;
+    const count = (met.get(name) ?? 0) + 1;
+    met.set(name, count);
+    return count === 1 ? name : `${name}-${count}`;
+  });
 }
 
 /**

@@ -71,6 +71,7 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 .rows table { inline-size: 100%; margin: 0; line-height: 1.35; }
 .rows th, .rows td { text-align: start; vertical-align: top; padding-block: 0.3rem; border-block-end: 1px solid var(--rule, #bbb); }
 .rows thead th { position: sticky; inset-block-start: 0; background: var(--ground, #fff); font-weight: 600; }
+.rows tr:focus { outline: none; background: color-mix(in srgb, var(--accent, #0072b2) 12%, transparent); }
 .rows tbody th { white-space: nowrap; font-weight: 600; }
 .rows .number { text-align: end; white-space: nowrap; }
 .rows sub, .rows sup { font-size: 0.72em; line-height: 0; }

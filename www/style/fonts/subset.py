@@ -37,9 +37,9 @@ CHARACTERS = sorted(set(LATIN + GREEK + SIGNS))
 # Letters and signs of the page's equations; tests/browser/story.spec.js finds those that are missing.
 MATH_ITALIC = "abcdfgijkmqrtuxBCEFHIJKMRTWZ"
 MATH_GREEK = "Ωαβδζθλσψω"
-MATH_UPRIGHT = "acdegijlmnopqrstuxBCDLRT0123456789()[]|+=<>,.;:'-/  −±·×′…√"
+MATH_UPRIGHT = "{˙¨acdefgijlmnopqrstuxBCDLRT0123456789()[]|+=<>,.;:'-/  −±·×′…√"
 # Signs that stretch: all other variants of glyphs are left out.
-STRETCHED = "√()|"
+STRETCHED = "√(){|"
 
 
 def math_italic(letter: str) -> int:
