@@ -59,8 +59,11 @@ fn of_document(text: &str) -> Vec<&str> {
 fn of_script(text: &str) -> Vec<&str> {
     let imported = text.lines().filter(|line| line.starts_with("import "));
     let imported = imported.filter_map(|line| between(line, "from \"", "\"").next());
-    let beside = between(text, "new URL(\"", "\"").filter(|address| address.contains('.'));
-    imported.chain(beside).collect()
+    // Where a joined module once lay is an address of nothing.
+    let addresses = text.split("new URL(\"").skip(1).filter_map(|rest| rest.split_once('"'));
+    let beside = addresses
+        .filter(|(address, rest)| address.contains('.') && !rest.starts_with(", import.meta.url).href"));
+    imported.chain(beside.map(|(address, _)| address)).collect()
 }
 
 /// Every part of a text between these two signs.
@@ -98,7 +101,10 @@ mod tests {
             ("a/b.css", "@font-face { src: url(\"f.woff2\") }"),
             ("a/f.woff2", "face"),
             ("a/main.js", script),
-            ("a/w.js", "import * as x from \"../x.js\";\n"),
+            (
+                "a/w.js",
+                "const place = new URL(\"./joined.js\", import.meta.url).href;\nimport * as x from \"../x.js\";\n",
+            ),
             ("x.js", "x"),
             ("1.svg", "<svg/>"),
         ] {
