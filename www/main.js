@@ -34,6 +34,8 @@ const { view = "story", at = null, projector = false } = opening;
 const { theme, language } = { ...preferences, ...opening };
 const store = new Store({ view, at, theme, projector, language });
 const actions = new Actions();
+/** @type {(() => void) | null} */
+let hideHands = null;
 showAppearance();
 
 /** What the figures are given once the engine runs. */
@@ -234,6 +236,13 @@ function showAppearance() {
   const { dataset } = document.documentElement;
   dataset.theme = store.state.theme;
   dataset.projector = String(store.state.projector);
+  if (store.state.projector) void import("./shell/projector.js").then(({ showHands }) => {
+    if (store.state.projector) hideHands ??= showHands();
+  });
+  else {
+    hideHands?.();
+    hideHands = null;
+  }
 }
 
 /** @param {import("./state.js").Language} chosen */

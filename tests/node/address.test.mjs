@@ -1,6 +1,7 @@
 // The address after `#`: what is written reads back as the same state, and whatever is read, nothing is thrown.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { INITIAL, Store, withPoint } from "../../www/state.js";
 import { parse, write } from "../../www/url.js";
@@ -70,6 +71,13 @@ for (const [text, kind, name, given, allowed] of /** @type {const} */ ([
     if (kind === "repeated") assert.equal(state.point.k0, 0.4);
   });
 }
+
+test("every example of docs/address.md is applied whole, and every name there is one", () => {
+  const text = readFileSync(new URL("../../docs/address.md", import.meta.url), "utf8");
+  const examples = [...text.matchAll(/^#([a-z]+\S*)$/gm)].map(([, example]) => example);
+  assert.ok(examples.length >= 6);
+  for (const example of examples) assert.deepEqual(read(example).problems, [], example);
+});
 
 test("before the engine has told what there is, words that need no numbers are read already", () => {
   const { state, problems } = parse("lab&omega=1.7&theme=dark&language=de&bogus=1", null);

@@ -8,6 +8,7 @@
  */
 
 import { plain } from "../figure/markup.js";
+import { localized, say, unlocalized } from "../words/say.js";
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
@@ -17,7 +18,7 @@ const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
  * @param {string} text
  */
 export function parseNumber(text) {
-  const written = text.trim().replace(/^−/, "-").replace(/(e)−/i, "$1-");
+  const written = unlocalized(text.trim()).replace(/^−/, "-").replace(/(e)−/i, "$1-");
   if (!NUMBER.test(written)) return null;
   const number = Number(written);
   return Number.isFinite(number) ? number : null;
@@ -29,7 +30,7 @@ export function parseNumber(text) {
  * @param {number} number
  */
 export function writeNumber(number) {
-  return String(number);
+  return localized(String(number));
 }
 
 /**
@@ -40,7 +41,7 @@ export function writeNumber(number) {
 export function showNumber(number) {
   const size = Math.abs(number);
   const text = size >= 1e6 || (size < 1e-3 && size > 0) ? number.toExponential() : String(number);
-  const [mantissa, exponent] = text.replaceAll("-", "−").split("e");
+  const [mantissa, exponent] = localized(text).replaceAll("-", "−").split("e");
   return exponent === undefined ? mantissa : `${mantissa} × 10^${exponent.replace("+", "")}`;
 }
 
@@ -53,7 +54,7 @@ export function showNumber(number) {
 export function showTo(number, step) {
   const decimals = Math.min(12, Math.max(0, Math.ceil(-Math.log10(step))));
   const text = number.toFixed(decimals);
-  return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
+  return localized(Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
 }
 
 /**
@@ -62,12 +63,12 @@ export function showTo(number, step) {
  * @param {NumberInfo} info
  */
 export function rangeOf(info) {
-  return `${showRange(info.low)} to ${showRange(info.high)}`;
+  return say("control.range", { low: showRange(info.low), high: showRange(info.high) });
 }
 
 /** @param {number} number */
 function showRange(number) {
-  const text = Math.abs(number) >= 1e4 ? number.toLocaleString("en").replaceAll(",", "\u202f") : String(number);
+  const text = Math.abs(number) >= 1e4 ? number.toLocaleString("en").replaceAll(",", "\u202f") : localized(String(number));
   return text.replace("-", "−");
 }
 
@@ -83,7 +84,7 @@ export function judge(info, text) {
     const word = info.choices.find((choice) => choice === text.trim().toLowerCase());
     if (word !== undefined) return { value: word };
     const allowed = info.choices.join(", ");
-    const message = `The ${info.name} is one of ${allowed}; “${text}” was given.`;
+    const message = say("control.choice", { name: info.name, allowed, given: text });
     return { problem: { code: "not-a-choice", parameter: info.name, given: text, allowed, message } };
   }
   const symbol = plain(info.symbol);
@@ -91,12 +92,13 @@ export function judge(info, text) {
   const allowed = [info.low, info.high];
   const number = parseNumber(text);
   if (number === null) {
-    const given = text.trim() === "" ? "nothing was given" : `“${text.trim()}” is none`;
-    const message = `${symbol} must be a number from ${rangeOf(info)}; ${given}.`;
+    const written = text.trim();
+    const key = written === "" ? "control.nothing" : "control.no-number";
+    const message = say(key, { symbol, range: rangeOf(info), given: written });
     return { problem: { code: "not-a-number", parameter: info.name, given: text, allowed, message } };
   }
   if (number < info.low || number > info.high) {
-    const message = `${symbol} must lie from ${rangeOf(info)}; ${showNumber(number)} was given.`;
+    const message = say("control.outside", { symbol, range: rangeOf(info), given: showNumber(number) });
     return { problem: { code: "out-of-range", parameter: info.name, given: number, allowed, message } };
   }
   return { value: number };

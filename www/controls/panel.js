@@ -7,6 +7,7 @@
  * @typedef {import("./control.js").Control} Control
  */
 
+import { say } from "../words/say.js";
 import { createControl } from "./control.js";
 
 /** How many stand open. */
@@ -58,7 +59,7 @@ export function createPanel(infos, given, extent, hooks) {
   if (rest.length > 0 && extent === "full") {
     more.className = "more";
     const summary = document.createElement("summary");
-    summary.textContent = rest.length === 1 ? "One more parameter" : `${rest.length} more parameters`;
+    summary.textContent = rest.length === 1 ? say("control.one-more") : say("control.more", { count: rest.length });
     more.append(summary);
     more.addEventListener("toggle", buildRest, { once: true });
     element.append(more);

@@ -1,0 +1,201 @@
+// What stands around the three views: the switch, undo and the browser's history, palette, settings, help, language.
+
+import { control, data, expect, figure, open, test } from "./page.js";
+
+/** @typedef {import("@playwright/test").Page} Page */
+
+/** @param {Page} page */
+const hash = (page) => page.evaluate(() => location.hash);
+
+/** @param {Page} page @param {string} id @param {string} parameter @param {string} value */
+async function set(page, id, parameter, value) {
+  const { box } = await control(page, id, parameter);
+  await box.fill(value);
+  await box.press("Enter");
+}
+
+test("three views of one state: switching loses neither the operating point nor the place", async ({ page }) => {
+  await open(page);
+  await set(page, "T", "k0", "0.35");
+  await figure(page, "7").scrollIntoViewIfNeeded();
+  const read = await page.evaluate(() => scrollY);
+  const views = page.getByRole("navigation", { name: "View" });
+  await expect(views.getByRole("link", { name: "Story" })).toHaveAttribute("aria-current", "page");
+  await views.getByRole("link", { name: "Lab" }).click();
+  await expect(page.locator('main > [data-view="lab"]')).toBeVisible();
+  await expect(figure(page, "7")).toBeHidden();
+  await expect.poll(() => hash(page)).toBe("#lab&v=1&k0=0.35");
+  await views.getByRole("link", { name: "Class" }).click();
+  await expect(page.locator('main > [data-view="class"]')).toBeVisible();
+  await expect(views.getByRole("link", { name: "Class" })).toHaveAttribute("aria-current", "page");
+  await views.getByRole("link", { name: "Story" }).click();
+  expect((await data(page, "T")).params.k0).toBe(0.35);
+  expect(Math.abs((await page.evaluate(() => scrollY)) - read)).toBeLessThan(5);
+});
+
+test("undo and redo, by keys, by buttons and by the browser's own", async ({ page }) => {
+  await open(page);
+  const [undo, redo] = [page.getByRole("button", { name: "Undo" }), page.getByRole("button", { name: "Redo" })];
+  await expect(undo).toBeDisabled();
+  await set(page, "3", "k0", "0.4");
+  await set(page, "3", "zeta", "0.05");
+  await expect.poll(() => hash(page)).toBe("#story&v=1&3.k0=0.4&3.zeta=0.05");
+  await page.locator("h1").click();
+  await page.keyboard.press("Control+Z");
+  await expect.poll(() => hash(page)).toBe("#story&v=1&3.k0=0.4");
+  expect((await data(page, "3")).params).toMatchObject({ k0: 0.4, zeta: 0.02 });
+  await expect((await control(page, "3", "zeta")).box).toHaveValue("0.02");
+  await undo.click();
+  await expect.poll(() => hash(page)).toBe("");
+  await expect(undo).toBeDisabled();
+  await redo.click();
+  await page.keyboard.press("Control+Y");
+  await expect.poll(() => hash(page)).toBe("#story&v=1&3.k0=0.4&3.zeta=0.05");
+  await expect(redo).toBeDisabled();
+  await page.goBack();
+  await expect.poll(async () => (await data(page, "3")).params.zeta).toBe(0.02);
+  await expect(redo).toBeEnabled();
+  await page.goForward();
+  await expect.poll(async () => (await data(page, "3")).params.zeta).toBe(0.05);
+});
+
+test("a box keeps its own undo: what is typed there is not the page's to take back", async ({ page }) => {
+  await open(page);
+  await set(page, "3", "k0", "0.4");
+  const { box } = await control(page, "3", "k0");
+  await box.focus();
+  await page.keyboard.type("?");
+  await page.keyboard.press("Control+Z");
+  expect((await data(page, "3")).params.k0).toBe(0.4);
+  await expect(page.getByRole("dialog")).toHaveCount(0);
+});
+
+test("dragging a slider is one action, in the page and in the browser's history", async ({ page }) => {
+  await open(page);
+  const { slider } = await control(page, "3", "k0");
+  const box = await slider.boundingBox();
+  if (box === null) throw new Error("no slider");
+  const before = await page.evaluate(() => history.length);
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.9 * box.width, box.y + box.height / 2, { steps: 25 });
+  await page.mouse.up();
+  await expect.poll(() => hash(page)).toMatch(/^#story&v=1&3\.k0=0\.[89]/);
+  expect(await page.evaluate(() => history.length)).toBe(before + 1);
+  await page.goBack();
+  await expect.poll(async () => (await data(page, "3")).params.k0).toBe(0.5);
+});
+
+test("after a reload the address still shows the same, and back leads to what was before", async ({ page }) => {
+  await open(page);
+  await set(page, "3", "k0", "0.4");
+  await expect.poll(() => hash(page)).toBe("#story&v=1&3.k0=0.4");
+  await page.reload();
+  await expect.poll(async () => (await data(page, "3")).params.k0).toBe(0.4);
+  await page.goBack();
+  await expect.poll(async () => (await data(page, "3")).params.k0).toBe(0.5);
+});
+
+test("the palette finds every action by a part of its name, and needs no pointer", async ({ page }) => {
+  await open(page);
+  await page.keyboard.press("Control+K");
+  const palette = page.getByRole("dialog", { name: "All actions" });
+  const box = palette.getByRole("combobox", { name: "Find an action" });
+  await expect(box).toBeFocused();
+  await expect(palette.getByRole("option", { name: "Help and keys" })).toContainText("?");
+  await box.fill("figure 12 go");
+  await expect(palette.getByRole("option")).toHaveCount(3);
+  await box.press("ArrowDown");
+  await expect(palette.getByRole("option", { selected: true })).toHaveText("Go to figure 12b");
+  await box.fill("nothing like it");
+  await expect(palette.getByText("There is no such action.")).toBeVisible();
+  await box.fill("LABOR");
+  await box.press("Enter");
+  await expect(palette).toBeHidden();
+  await expect.poll(() => hash(page)).toBe("#lab");
+  await page.keyboard.press("Control+K");
+  await box.fill("figure 13c start");
+  await box.press("Enter");
+  await expect.poll(() => hash(page)).toBe("#lab&v=1&preset=13c");
+  await expect(page.getByRole("combobox", { name: "Preset" })).toHaveValue("13c");
+});
+
+test("every action runs from the palette without an error", async ({ page }) => {
+  await open(page);
+  const count = await page.evaluate(async () => {
+    const { actions } = /** @type {any} */ (window).__gear;
+    const ids = actions.all.map((/** @type {any} */ { id }) => id).filter((/** @type {string} */ id) => !["palette", "settings", "help"].includes(id));
+    for (const id of ids) {
+      actions.run(id);
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+    }
+    return ids.length;
+  });
+  expect(count).toBeGreaterThan(50);
+});
+
+test("help lists the keys, and single keys can be switched off, for good", async ({ page }) => {
+  await open(page);
+  await page.keyboard.press("?");
+  const help = page.getByRole("dialog", { name: "Help and keys" });
+  await expect(help.getByText("Ctrl + Shift + Z")).toBeVisible();
+  await expect(help.getByText("can be switched off")).toBeVisible();
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Settings" }).click();
+  await page.getByRole("checkbox", { name: "Shortcuts of a single key" }).uncheck();
+  await page.getByRole("button", { name: "Close" }).click();
+  await page.keyboard.press("2");
+  await page.keyboard.press("?");
+  await expect(page.getByRole("dialog")).toHaveCount(0);
+  expect(await page.evaluate(() => document.documentElement.dataset.view)).toBe("story");
+  await page.goto("./?test=again");
+  await page.getByRole("button", { name: "Help and keys" }).click();
+  await expect(help.getByText("are switched off")).toBeVisible();
+});
+
+test("German is complete on the page, is kept, and gives way to English again", async ({ page }) => {
+  await open(page);
+  const { heading } = await page.evaluate(() => ({ heading: document.querySelector("h1")?.innerHTML }));
+  await page.getByRole("button", { name: "Settings" }).click();
+  await page.getByRole("radio", { name: "Deutsch" }).click();
+  await expect(page.locator("html")).toHaveAttribute("lang", "de");
+  await expect(page.getByRole("heading", { level: 1 })).toHaveText(/^Warum/);
+  await expect(page.getByRole("link", { name: "Geschichte" })).toBeVisible();
+  await expect(page.getByRole("button", { name: "Rückgängig" })).toBeEnabled();
+  await expect.poll(() => hash(page)).toBe("#story&v=1&language=de");
+  await page.goto("./?test=again");
+  await expect(page.getByRole("heading", { level: 1 })).toHaveText(/^Warum/);
+  await page.getByRole("button", { name: "Einstellungen" }).click();
+  await page.getByRole("radio", { name: "English" }).click();
+  await expect(page.getByRole("heading", { level: 1 })).toHaveText(/^Why/);
+  expect(await page.evaluate(() => document.querySelector("h1")?.innerHTML)).toBe(heading);
+});
+
+test("a place in the story keeps what was changed, and back returns from it", async ({ page }) => {
+  await open(page, "./?test#story&v=1&3.k0=0.4");
+  expect((await data(page, "3")).params.k0).toBe(0.4);
+  await page.keyboard.press("Control+K");
+  await page.getByRole("combobox", { name: "Find an action" }).fill("go figure E");
+  await page.keyboard.press("Enter");
+  await expect(figure(page, "E")).toBeInViewport();
+  await expect.poll(() => hash(page)).toBe("#story&v=1&at=fig-E&3.k0=0.4");
+  await page.goBack();
+  await expect.poll(() => hash(page)).toBe("#story&v=1&3.k0=0.4");
+});
+
+test("without storage all works, and nothing complains", async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(window, "localStorage", {
+      get() {
+        throw new DOMException("forbidden", "SecurityError");
+      },
+    });
+  });
+  await open(page);
+  await page.keyboard.press("s");
+  await page.getByRole("radio", { name: "dark", exact: true }).check();
+  await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Control+Z");
+  await expect(page.locator("html")).toHaveAttribute("data-theme", "auto");
+});
