@@ -18,6 +18,7 @@ import { startStory } from "./story/story.js";
 import { parse } from "./url.js";
 import { words as figureWords } from "./words/en/figure.js";
 import { words as shellWords } from "./words/en/shell.js";
+import { translateEngine } from "./words/engine.js";
 import { translate } from "./words/page.js";
 import { learn, number, say, speak } from "./words/say.js";
 
@@ -247,8 +248,9 @@ function showAppearance() {
 
 /** @param {import("./state.js").Language} chosen */
 async function chooseLanguage(chosen) {
-  const words = chosen === "de" ? (await import("./words/de/index.js")).german : null;
+  const { german: words, engine: patterns } = chosen === "de" ? await import("./words/de/index.js") : { german: null, engine: null };
   if (store.state.language !== chosen) return;
+  translateEngine(patterns);
   speak(chosen, words);
   document.documentElement.lang = chosen;
   translate(document, words);

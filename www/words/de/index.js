@@ -1,5 +1,6 @@
 /** German, whole: loaded only when it is chosen. */
 
+import { engine as patterns } from "./engine.js";
 import { words as classroom } from "./classroom.js";
 import { words as exported } from "./exports.js";
 import { words as figure } from "./figure.js";
@@ -10,3 +11,5 @@ import { words as tools } from "./tools.js";
 
 /** @type {import("../say.js").Words} */
 export const german = { ...classroom, ...exported, ...figure, ...lab, ...shell, ...story, ...tools };
+
+export const engine = patterns;
