@@ -286,7 +286,10 @@ watchPrinting(paintAll);
 provide(services);
 customElements.define("gear-figure", GearFigure);
 
+/** Makes files of figures: fetched when one is to be saved. */
+const saving = () => import("./embed/save-figure.js");
+
 // With `?test` in the address, tests may break what only bad luck breaks.
 if (new URLSearchParams(location.search).has("test")) {
-  services.then(({ engine: running }) => Object.assign(window, { __gear: { engine: running, store, actions, painted } }));
+  services.then(({ engine: running }) => Object.assign(window, { __gear: { engine: running, store, actions, painted, saving } }));
 }

@@ -20,6 +20,7 @@
  */
 
 import { GearError, load } from "../../gear-bifurcations.js";
+import { wasm } from "./delivery.js";
 import { Pool, poolSize } from "./pool.js";
 import { PRIORITY } from "./protocol.js";
 import { warmDrawing } from "./warming.js";
@@ -159,7 +160,7 @@ export class Engine {
  * @returns {Promise<Engine>} rejected with a `GearError` of code `load`
  */
 export async function startEngine() {
-  const loading = load();
+  const loading = load(wasm());
   const pool = new Pool(
     loading.then((gear) => gear.module),
     poolSize(navigator.hardwareConcurrency ?? 2),

@@ -11,6 +11,8 @@
  * @typedef {import("./protocol.js").Given} Given
  */
 
+import { newWorker } from "./delivery.js";
+
 /**
  * @typedef {object} Wanted
  * @property {string} id
@@ -247,10 +249,6 @@ export class Pool {
       task.answers.restarted();
     }
   }
-}
-
-function newWorker() {
-  return new Worker(new URL("./worker.js", import.meta.url), { type: "module", name: "gear" });
 }
 
 /** @returns {GearErrorFields} */

@@ -15,6 +15,7 @@ use std::process::ExitCode;
 
 const HELP: &str = "\
 cargo xtask build [--out FOLDER]        make the static page and the module (default: dist/)
+                  [--figure 11a,T]      ... and these figures as files of their own, gear-bifurcations-11a.html
                   [--keep-wasm]         ... around the wasm of the last build: quick, for work on the page alone
 cargo xtask serve [--port N]            build, then serve dist/ on 127.0.0.1 (8080 or the next free port)
                   [--prefix /a/b/]      ... under this path, as a host with sub-folders would
@@ -45,11 +46,14 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
     };
     match task.as_str() {
         "build" => {
-            let options = command::Options::read(rest, &["--out"], &["--keep-wasm"])?;
+            let options = command::Options::read(rest, &["--out", "--figure"], &["--keep-wasm"])?;
             let out =
                 options.value("--out").map_or_else(|| place::root().join("dist"), std::path::PathBuf::from);
-            let build = if options.flag("--keep-wasm") { build::around_compiled } else { build::build };
-            build(&out).map(|built| built.report())
+            let figures: Vec<&str> =
+                options.value("--figure").into_iter().flat_map(|ids| ids.split(',')).collect();
+            let keep_wasm = options.flag("--keep-wasm");
+            build::make(&build::Wanted { out: &out, figures: &figures, keep_wasm })
+                .map(|built| built.report())
         }
         "serve" => {
             let options = command::Options::read(rest, &["--port", "--prefix"], &["--no-build"])?;

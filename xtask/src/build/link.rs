@@ -104,7 +104,8 @@ impl Plan<'_> {
             for piece in &module.body {
                 match piece {
                     Piece::Code(code) => text.push_str(code),
-                    Piece::Here if path == file => text.push_str("import.meta.url"),
+                    // From the same folder every relative address leads to the same.
+                    Piece::Here if folder(path) == folder(file) => text.push_str("import.meta.url"),
                     Piece::Here => {
                         let _ = write!(text, "new URL(\"{}\", import.meta.url).href", relative(file, path));
                     }
@@ -165,7 +166,6 @@ impl Plan<'_> {
 
 /// Joins into plain scripts, one after the other, what each list of modules needs, at once or later; a script leaves to
 /// those before it what they have. Nothing runs until it is asked for: see `start`.
-#[cfg(test)] // until the single file is there
 pub fn scripts(modules: &Modules, lists: &[&[&str]]) -> Result<Vec<String>, Failure> {
     let mut known: BTreeSet<String> = BTreeSet::new();
     let mut scripts = Vec::new();
@@ -206,8 +206,12 @@ pub fn scripts(modules: &Modules, lists: &[&[&str]]) -> Result<Vec<String>, Fail
     Ok(scripts)
 }
 
+/// The folder of a file.
+fn folder(path: &str) -> &str {
+    path.rsplit_once('/').map_or("", |(folder, _)| folder)
+}
+
 /// The line that starts a module of `scripts`.
-#[cfg(test)]
 pub fn start(path: &str) -> String {
     format!("{}();", variable(path))
 }
@@ -325,14 +329,16 @@ mod tests {
             &modules(&[
                 ("www/engine/running.js", "import { load } from \"../../gear.js\";\nimport { x } from \"./x.js\";\nexport const engine = load(x);\n"),
                 ("www/engine/x.js", "export const x = new URL(\"./w.js\", import.meta.url);\n"),
-                ("www/main.js", "import { engine } from \"./engine/running.js\";\nimport { x } from \"./engine/x.js\";\nengine(x);\n"),
+                ("www/main.js", "import { engine } from \"./engine/running.js\";\nimport { x } from \"./engine/x.js\";\nimport { y } from \"./far/y.js\";\nengine(x, y);\n"),
+                ("www/far/y.js", "export const y = new URL(\"./z\", import.meta.url);\n"),
             ]),
             &["www/engine/running.js", "www/main.js"],
         )
         .unwrap();
         let running = &joined["www/engine/running.js"];
         assert!(running.starts_with("import * as $gear_js from \"../../gear.js\";\nconst $www_engine_x_js"));
-        place(running, "new URL(\"./w.js\", new URL(\"./x.js\", import.meta.url).href)");
+        place(running, "new URL(\"./w.js\", import.meta.url)");
+        place(&joined["www/main.js"], "new URL(\"./z\", new URL(\"./far/y.js\", import.meta.url).href)");
         assert!(running.ends_with(
             "export { $www_engine_running_js, $www_engine_x_js };\nexport const { engine } = $www_engine_running_js;\n"
         ));

@@ -1,11 +1,14 @@
 //! `cargo xtask build`: from the sources to a static folder that any web server can serve.
 
+mod base64;
 mod bindings;
+mod document;
 mod equations;
 mod link;
 mod module;
 mod modules;
 mod script;
+mod single;
 mod site;
 mod weight;
 
@@ -29,6 +32,10 @@ pub struct Built {
     pub gzipped: usize,
     /// What everything weighs that a first visit loads, in bytes as it travels.
     pub first_visit: usize,
+    /// Size of the page in one file, in bytes.
+    pub single: usize,
+    /// How many still drawings found no room in it.
+    pub left_out: usize,
     /// How long it took.
     pub took: Duration,
 }
@@ -36,43 +43,56 @@ pub struct Built {
 impl Built {
     /// Says it in a line.
     pub fn report(&self) {
-        let Self { out, gzipped, first_visit, took } = self;
+        let Self { out, gzipped, first_visit, single, left_out, took } = self;
         println!(
             "built {} in {:.1} s; the wasm is {gzipped} bytes gzipped (ceiling {WASM_CEILING}), a first visit {first_visit} \
-             bytes (ceiling {FIRST_VISIT_CEILING})",
+             bytes (ceiling {FIRST_VISIT_CEILING}), the page in one file {single} (ceiling {})",
             out.display(),
-            took.as_secs_f64()
+            took.as_secs_f64(),
+            single::CEILING
         );
+        if *left_out > 0 {
+            println!(
+                "  {left_out} still drawings, the heaviest, found no room in that file; they show where scripts are off"
+            );
+        }
     }
 }
 
-/// Compiles the library to wasm.
-pub fn compile() -> Result<(), Failure> {
-    tools::ensure_wasm_target()?;
-    run(&mut cargo(&["build", "--quiet", "--release", "--lib", "--target", "wasm32-unknown-unknown"]))
+/// What is to be built.
+pub struct Wanted<'a> {
+    /// Into this folder.
+    pub out: &'a Path,
+    /// With files of their own for these figures.
+    pub figures: &'a [&'a str],
+    /// Around the wasm that was compiled last.
+    pub keep_wasm: bool,
 }
 
-/// Compiles, and builds everything into `out`.
+/// Compiles, and builds the site into `out`.
 pub fn build(out: &Path) -> Result<Built, Failure> {
-    let start = Instant::now();
-    compile()?;
-    let built = around_compiled(out)?;
-    Ok(Built { took: start.elapsed(), ..built })
+    make(&Wanted { out, figures: &[], keep_wasm: false })
 }
 
-/// Builds everything into `out` around the wasm that was compiled last.
-pub fn around_compiled(out: &Path) -> Result<Built, Failure> {
+/// Builds what is wanted.
+pub fn make(wanted: &Wanted<'_>) -> Result<Built, Failure> {
     let start = Instant::now();
+    if !wanted.keep_wasm {
+        tools::ensure_wasm_target()?;
+        run(&mut cargo(&["build", "--quiet", "--release", "--lib", "--target", "wasm32-unknown-unknown"]))?;
+    }
     let generated = bindings::generate(&tools::wasm_artifact(), &place::scratch().join("bindings"))?;
-    let gzipped = weight::gzipped_size(&generated.wasm);
-    let site = site::gather(&place::root(), &generated)?;
-    let weights = weight::first_visit(&site)?;
+    let gzipped = weight::gzipped(&generated.wasm).len();
+    let gathered = site::gather(&place::root(), &generated, wanted.figures)?;
+    let weights = weight::first_visit(&gathered.site)?;
     let first_visit = weights.values().sum();
     within("the wasm", gzipped, WASM_CEILING, "")?;
     let all: Vec<String> = weights.iter().map(|(name, bytes)| format!("\n  {bytes} {name}")).collect();
     within("a first visit", first_visit, FIRST_VISIT_CEILING, &all.concat())?;
-    site.write(out)?;
-    Ok(Built { out: out.to_owned(), gzipped, first_visit, took: start.elapsed() })
+    gathered.site.write(wanted.out)?;
+    let single = gathered.site.bytes(site::SINGLE)?.len();
+    let (out, left_out) = (wanted.out.to_owned(), gathered.left_out);
+    Ok(Built { out, gzipped, first_visit, single, left_out, took: start.elapsed() })
 }
 
 fn within(what: &str, bytes: usize, ceiling: usize, details: &str) -> Result<(), Failure> {

@@ -2,6 +2,7 @@
 
 use super::bindings::Generated;
 use super::modules::Modules;
+use super::single::Single;
 use super::{equations, link, module, script};
 use crate::{Failure, place};
 use std::collections::BTreeMap;
@@ -11,7 +12,15 @@ use std::path::Path;
 const MODULE: &str = "gear-bifurcations.js";
 
 /// Files of `www/` that are sources of others or serve only the type checker.
-const NOT_SERVED: [&str; 2] = ["engine/gear-bifurcations.js", "engine/bindings.js"];
+const NOT_SERVED: [&str; 3] = ["engine/gear-bifurcations.js", "engine/bindings.js", FIGURE_SHELL];
+
+/// The page in one file.
+pub const SINGLE: &str = "gear-bifurcations.html";
+
+/// Below `www/`: what the file of a single figure is made from.
+const FIGURE_SHELL: &str = "embed/figure.html";
+
+const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Modules that something is started with, in lists of those that live in one page or worker together. Each is served
 /// joined with all that it imports.
@@ -21,8 +30,20 @@ const ENTRIES: [&[&str]; 2] = [&["www/engine/running.js", "www/main.js"], &["www
 #[derive(Default)]
 pub struct Site(BTreeMap<String, Vec<u8>>);
 
-/// Brings together everything that is served.
-pub fn gather(root: &Path, generated: &Generated) -> Result<Site, Failure> {
+/// A site, and what is to be said of it.
+pub struct Gathered {
+    pub site: Site,
+    /// How many drawings found no room in the single file.
+    pub left_out: usize,
+}
+
+/// The file of a figure.
+pub fn figure_file(id: &str) -> String {
+    format!("gear-bifurcations-{id}.html")
+}
+
+/// Brings together everything that is served, with a file for each of these figures.
+pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Gathered, Failure> {
     let mut site = Site::default();
     let www = root.join("www");
     let handwritten = www.join("engine/gear-bifurcations.js");
@@ -45,27 +66,40 @@ pub fn gather(root: &Path, generated: &Generated) -> Result<Site, Failure> {
             site.copy(&from, &path)?;
         }
     }
-    for entries in ENTRIES {
-        for (path, text) in link::files(&modules, entries)? {
-            site.add(&path, text);
-        }
-    }
+    let (index, figure) = (root.join("index.html"), www.join(FIGURE_SHELL));
+    let index = std::fs::read_to_string(&index).map_err(Failure::file(&index))?;
+    let figure = std::fs::read_to_string(&figure).map_err(Failure::file(&figure))?;
     // Each figure as a drawing, for readers without scripts and until the live one is there. A test proves that they
     // are what the library draws today, so that the build need not compile it twice.
     let drawings = root.join("tests/goldens");
     for name in place::files_below(&drawings)? {
         site.copy(&drawings.join(&name), &format!("figures/{name}"))?;
     }
-    Ok(site)
+    for entries in ENTRIES {
+        for (path, text) in link::files(&modules, entries)? {
+            site.add(&path, text);
+        }
+    }
+    modules.insert(MODULE.to_owned(), site.text(MODULE)?.to_owned());
+    let single = Single::gather(&site, &index, &figure, &modules)?;
+    let (page, left_out) = single.page()?;
+    let template = single.template();
+    let shown = figures.iter().map(|id| Ok((figure_file(id), single.figure(id, VERSION)?)));
+    let shown = shown.collect::<Result<Vec<_>, Failure>>()?;
+    site.add(SINGLE, page);
+    site.add("figure.html", template);
+    for (name, file) in shown {
+        site.add(&name, file);
+    }
+    Ok(Gathered { site, left_out })
 }
 
 /// Lets Node and editors take the folder as a package: without it Node 20 would read the module as `CommonJS`.
 fn package() -> String {
-    let version = env!("CARGO_PKG_VERSION");
     format!(
         r#"{{
   "name": "gear-bifurcations",
-  "version": "{version}",
+  "version": "{VERSION}",
   "license": "MIT OR Apache-2.0",
   "type": "module",
   "exports": {{
@@ -85,9 +119,14 @@ impl Site {
         self.0.insert(name.to_owned(), content.into());
     }
 
-    /// A file of the folder.
-    pub fn file(&self, name: &str) -> Option<&[u8]> {
-        self.0.get(name).map(Vec::as_slice)
+    /// A file's bytes.
+    pub fn bytes(&self, name: &str) -> Result<&[u8], Failure> {
+        self.0.get(name).map(Vec::as_slice).ok_or_else(|| Failure::invalid(name, "the site has no such file"))
+    }
+
+    /// A file's text.
+    pub fn text(&self, name: &str) -> Result<&str, Failure> {
+        std::str::from_utf8(self.bytes(name)?).map_err(|error| Failure::invalid(name, error.to_string()))
     }
 
     /// Adds a file as it is.

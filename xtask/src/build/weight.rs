@@ -21,12 +21,8 @@ pub fn first_visit(site: &Site) -> Result<Weights, Failure> {
         if weights.contains_key(&name) {
             continue;
         }
-        let content =
-            site.file(&name).ok_or_else(|| Failure::invalid(&name, "it is named, but not served"))?;
-        weights.insert(
-            name.clone(),
-            if name.ends_with(".woff2") { content.len() } else { gzipped_size(content) },
-        );
+        let content = site.bytes(&name)?;
+        weights.insert(name.clone(), if is_face(&name) { content.len() } else { gzipped(content).len() });
         let text = String::from_utf8_lossy(content);
         let named = match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
             "html" => of_document(&text),
@@ -39,12 +35,16 @@ pub fn first_visit(site: &Site) -> Result<Weights, Failure> {
     Ok(weights)
 }
 
-/// Size of some bytes as a web server would send them.
-pub fn gzipped_size(bytes: &[u8]) -> usize {
+/// Bytes as a web server would send them; the same always give the same.
+pub fn gzipped(bytes: &[u8]) -> Vec<u8> {
     let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::best());
     // Writing to memory cannot fail.
     let written = encoder.write_all(bytes).and_then(|()| encoder.finish());
-    written.map_or(usize::MAX, |compressed| compressed.len())
+    written.unwrap_or_default()
+}
+
+fn is_face(name: &str) -> bool {
+    std::path::Path::new(name).extension().is_some_and(|ending| ending == "woff2")
 }
 
 fn of_document(text: &str) -> Vec<&str> {
@@ -87,7 +87,7 @@ fn resolve(from: &str, address: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{first_visit, gzipped_size};
+    use super::{first_visit, gzipped};
     use crate::build::site::Site;
 
     #[test]
@@ -114,7 +114,7 @@ mod tests {
         let names: Vec<&str> = weights.keys().map(String::as_str).collect();
         assert_eq!(names, ["1.svg", "a/b.css", "a/f.woff2", "a/main.js", "a/w.js", "index.html", "x.js"]);
         assert_eq!(weights["a/f.woff2"], 4);
-        assert_eq!(weights["index.html"], gzipped_size(document.as_bytes()));
+        assert_eq!(weights["index.html"], gzipped(document.as_bytes()).len());
     }
 
     #[test]

@@ -1,0 +1,53 @@
+/**
+ * Gives the figures of a document that is not our page what they need: one engine and one pool of workers for all of them,
+ * and a state that knows nothing but their parameters.
+ *
+ * @typedef {import("../engine/client.js").Engine} Engine
+ * @typedef {import("../state.js").ThemeChoice} ThemeChoice
+ */
+
+import { GearError, PRIORITY } from "../engine/client.js";
+import { provide } from "../figure/services.js";
+import { Store } from "../state.js";
+import { words as exported } from "../words/en/exports.js";
+import { words as figure } from "../words/en/figure.js";
+import { learn } from "../words/say.js";
+
+/**
+ * @param {Promise<Engine>} starting
+ * @param {{theme?: ThemeChoice}} [options]
+ */
+export function equip(starting, { theme = "auto" } = {}) {
+  learn(figure);
+  learn(exported);
+  const store = new Store({ theme });
+  const services = starting.then((engine) => {
+    engine.complete();
+    return {
+      engine,
+      store,
+      priority: PRIORITY,
+      error: (/** @type {import("../figure/services.js").GearErrorFields} */ fields) => new GearError(fields),
+      later: whenIdle,
+      painted: mark,
+    };
+  });
+  // Each figure says itself what failed.
+  services.catch(() => {});
+  provide(services);
+}
+
+/** @param {() => void} work */
+function whenIdle(work) {
+  if ("requestIdleCallback" in window) requestIdleCallback(work, { timeout: 300 });
+  else setTimeout(work);
+}
+
+let marked = false;
+
+/** Says when the first live drawing stood, for measurements. */
+function mark() {
+  if (marked) return;
+  marked = true;
+  performance.mark("first-figure");
+}

@@ -1,0 +1,11 @@
+/** A single figure in a file of its own: see figure.html. */
+
+import { engine } from "../engine/running.js";
+import { watchPrinting } from "../figure/appearance.js";
+import { GearFigure } from "../figure/gear-figure.js";
+import { paintAll } from "../figure/paint-queue.js";
+import { equip } from "./equip.js";
+
+watchPrinting(paintAll);
+equip(engine);
+customElements.define("gear-figure", GearFigure);
