@@ -164,7 +164,7 @@ async function enter(name) {
 }
 
 const announce = announcer(element(".announcer"));
-furnishHeader(element("header"), store, actions);
+furnishHeader(element("header"), store, actions, announce);
 registerActions();
 watchKeys(actions, () => preferences.singleKeys);
 showView();

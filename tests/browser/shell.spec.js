@@ -47,6 +47,7 @@ test("undo and redo, by keys, by buttons and by the browser's own", async ({ pag
   await expect.poll(() => hash(page)).toBe("#story&v=1&4.k=6");
   expect((await data(page, "4")).params).toMatchObject({ k_p: 6, m_p: 1 });
   await expect((await control(page, "4", "m")).box).toHaveValue("1");
+  await expect(page.locator(".announcer")).toHaveText("Undone: change a parameter");
   await undo.click();
   await expect.poll(() => hash(page)).toBe("");
   await expect(undo).toBeDisabled();

@@ -18,8 +18,16 @@ const VIEW_KEYS = { story: "1", lab: "2", class: "3" };
  * @param {HTMLElement} header
  * @param {Store} store
  * @param {Actions} actions
+ * @param {(sentence: string) => void} announce
  */
-export function furnishHeader(header, store, actions) {
+export function furnishHeader(header, store, actions, announce) {
+  /** @param {"undo" | "redo"} way */
+  const go = (way) => {
+    const { entries, at } = store.history;
+    const { name } = way === "undo" ? entries[at] : entries[at + 1];
+    store[way]();
+    announce(say(`${way}.done`, { what: say(name) }));
+  };
   actions.register(
     ...VIEWS.map((view) => ({
       id: `view.${view}`,
@@ -28,8 +36,8 @@ export function furnishHeader(header, store, actions) {
       possible: () => store.state.view !== view,
       run: () => store.act("act.view", (state) => ({ ...state, view })),
     })),
-    { id: "undo", word: "undo", key: "Ctrl+Z", possible: () => store.undoable, run: () => store.undo() },
-    { id: "redo", word: "redo", key: "Ctrl+Shift+Z Ctrl+Y", possible: () => store.redoable, run: () => store.redo() },
+    { id: "undo", word: "undo", key: "Ctrl+Z", possible: () => store.undoable, run: () => go("undo") },
+    { id: "redo", word: "redo", key: "Ctrl+Shift+Z Ctrl+Y", possible: () => store.redoable, run: () => go("redo") },
   );
   header.addEventListener("click", (event) => {
     const target = event.target instanceof Element ? event.target : null;

@@ -32,6 +32,8 @@ export const words = {
   undo: "Rückgängig",
   redo: "Wiederholen",
   "undo.what": "Rückgängig: {what}",
+  "undo.done": "Rückgängig gemacht: {what}",
+  "redo.done": "Wiederholt: {what}",
   "redo.what": "Wiederholen: {what}",
   palette: "Alle Aktionen",
   settings: "Einstellungen",

@@ -27,6 +27,8 @@ export const words = {
   undo: "Undo",
   redo: "Redo",
   "undo.what": "Undo: {what}",
+  "undo.done": "Undone: {what}",
+  "redo.done": "Done again: {what}",
   "redo.what": "Redo: {what}",
   palette: "All actions",
   settings: "Settings",
