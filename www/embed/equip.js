@@ -9,9 +9,10 @@
 import { GearError, PRIORITY } from "../engine/client.js";
 import { provide } from "../figure/services.js";
 import { Store } from "../state.js";
+import { words as embedded } from "../words/en/embed.js";
 import { words as exported } from "../words/en/exports.js";
 import { words as figure } from "../words/en/figure.js";
-import { learn } from "../words/say.js";
+import { learn, say } from "../words/say.js";
 
 /**
  * @param {Promise<Engine>} starting
@@ -20,6 +21,7 @@ import { learn } from "../words/say.js";
 export function equip(starting, { theme = "auto" } = {}) {
   learn(figure);
   learn(exported);
+  learn(embedded);
   const store = new Store({ theme });
   const services = starting.then((engine) => {
     engine.complete();
@@ -31,10 +33,21 @@ export function equip(starting, { theme = "auto" } = {}) {
       later: whenIdle,
       painted: mark,
     };
-  });
+  }, refuse);
   // Each figure says itself what failed.
   services.catch(() => {});
   provide(services);
+}
+
+/**
+ * Says in a sentence what is the matter where wasm, or what it is fetched from, is forbidden.
+ *
+ * @param {unknown} thrown
+ * @returns {never}
+ */
+function refuse(thrown) {
+  const reason = (thrown instanceof Error ? thrown.message : String(thrown)).replace(/\.$/, "");
+  throw new GearError({ code: "load", parameter: null, given: null, allowed: null, message: say("embed.still", { reason }) });
 }
 
 /** @param {() => void} work */

@@ -2,6 +2,7 @@
 
 import { engine as patterns } from "./engine.js";
 import { words as classroom } from "./classroom.js";
+import { words as embedded } from "./embed.js";
 import { words as exported } from "./exports.js";
 import { words as figure } from "./figure.js";
 import { words as lab } from "./lab.js";
@@ -10,6 +11,6 @@ import { words as story } from "./story.js";
 import { words as tools } from "./tools.js";
 
 /** @type {import("../say.js").Words} */
-export const german = { ...classroom, ...exported, ...figure, ...lab, ...shell, ...story, ...tools };
+export const german = { ...classroom, ...embedded, ...exported, ...figure, ...lab, ...shell, ...story, ...tools };
 
 export const engine = patterns;

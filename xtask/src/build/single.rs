@@ -107,15 +107,12 @@ impl<'a> Single<'a> {
                 "there is none of this name; those there are: see figures/ in the site",
             )
         })?;
-        let within = |start: &str, end: &str| {
-            let from = drawing.find(start).map_or(0, |at| at + start.len());
-            drawing[from..].find(end).map_or("", |length| &drawing[from..from + length])
-        };
+        let ((title, description), (width, height)) = (words_of(drawing), size_of(drawing));
         let values = [
-            ("title", escaped_again(within("<title>", "</title>"))),
-            ("description", escaped_again(within("<desc>", "</desc>"))),
-            ("width", within(" width=\"", "\"").to_owned()),
-            ("height", within(" height=\"", "\"").to_owned()),
+            ("title", title),
+            ("description", description),
+            ("width", width.to_owned()),
+            ("height", height.to_owned()),
             ("picture", picture_address(drawing)),
             ("figure", id.to_owned()),
             ("attributes", String::new()),
@@ -295,6 +292,23 @@ fn picture_address(drawing: &str) -> String {
         }
     }
     address
+}
+
+/// The title of a drawing and the sentence that says what it shows, as values of attributes.
+pub fn words_of(drawing: &str) -> (String, String) {
+    let text = |start, end| escaped_again(within(drawing, start, end));
+    (text("<title>", "</title>"), text("<desc>", "</desc>"))
+}
+
+/// Width and height of a drawing, as it says them.
+pub fn size_of(drawing: &str) -> (&str, &str) {
+    (within(drawing, " width=\"", "\""), within(drawing, " height=\"", "\""))
+}
+
+/// What stands first between these two; nothing where they do not.
+fn within<'a>(text: &'a str, start: &str, end: &str) -> &'a str {
+    let found = text.split_once(start).and_then(|(_, after)| after.split_once(end));
+    found.map_or("", |(inner, _)| inner)
 }
 
 /// Text of a drawing, where some signs are escaped, as the value of an attribute.

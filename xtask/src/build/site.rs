@@ -2,7 +2,7 @@
 
 use super::bindings::Generated;
 use super::modules::Modules;
-use super::single::Single;
+use super::single::{self, Single};
 use super::{equations, link, module, script};
 use crate::{Failure, place};
 use std::collections::BTreeMap;
@@ -12,7 +12,8 @@ use std::path::Path;
 const MODULE: &str = "gear-bifurcations.js";
 
 /// Files of `www/` that are sources of others or serve only the type checker.
-const NOT_SERVED: [&str; 3] = ["engine/gear-bifurcations.js", "engine/bindings.js", FIGURE_SHELL];
+const NOT_SERVED: [&str; 5] =
+    ["engine/gear-bifurcations.js", "engine/bindings.js", FIGURE_SHELL, FRAME.0, HOST.0];
 
 /// The page in one file.
 pub const SINGLE: &str = "gear-bifurcations.html";
@@ -24,7 +25,21 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Modules that something is started with, in lists of those that live in one page or worker together. Each is served
 /// joined with all that it imports.
-const ENTRIES: [&[&str]; 2] = [&["www/engine/running.js", "www/main.js"], &["www/engine/worker.js"]];
+const ENTRIES: [&[&str]; 4] = [
+    &["www/engine/running.js", "www/main.js"],
+    &["www/engine/worker.js"],
+    &[ELEMENT],
+    &["www/embed/frame.js"],
+];
+
+/// The script that brings the figure's element to any page. It lies beside the module, and is made of one line.
+const ELEMENT: &str = "gear-figure.js";
+const ELEMENT_SOURCE: &str = "import \"./www/embed/element.js\";\n";
+
+/// Below `www/`: the document that shows a figure in a frame, and where it is served; and the script of ten lines for pages
+/// that hold such frames.
+const FRAME: (&str, &str) = ("embed/frame.html", "embed.html");
+const HOST: (&str, &str) = ("embed/gear-host.js", "gear-host.js");
 
 /// The files of the static folder, by their path in it.
 #[derive(Default)]
@@ -75,6 +90,11 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
     for name in place::files_below(&drawings)? {
         site.copy(&drawings.join(&name), &format!("figures/{name}"))?;
     }
+    let frame = www.join(FRAME.0);
+    let frame = std::fs::read_to_string(&frame).map_err(Failure::file(&frame))?;
+    site.add(FRAME.1, frame.replace("{{stills}}", &site.stills()?));
+    site.copy(&www.join(HOST.0), HOST.1)?;
+    modules.insert(ELEMENT.to_owned(), ELEMENT_SOURCE.to_owned());
     for entries in ENTRIES {
         for (path, text) in link::files(&modules, entries)? {
             site.add(&path, text);
@@ -117,6 +137,20 @@ impl Site {
     /// Adds a file with this content.
     pub fn add(&mut self, name: &str, content: impl Into<Vec<u8>>) {
         self.0.insert(name.to_owned(), content.into());
+    }
+
+    /// The still drawings as elements, each under the address that names its figure and nothing else.
+    fn stills(&self) -> Result<String, Failure> {
+        let drawings = self.0.keys().filter_map(|name| name.strip_prefix("figures/")?.strip_suffix(".svg"));
+        let element = |id: &str| {
+            let drawing = self.text(&format!("figures/{id}.svg"))?;
+            let (words, size) = (single::words_of(drawing), single::size_of(drawing));
+            Ok(format!(
+                "    <p class=\"still\" id=\"figure={id}\"><img src=\"figures/{id}.svg\" width=\"{}\" height=\"{}\" loading=\"lazy\" alt=\"{}\"></p>",
+                size.0, size.1, words.1
+            ))
+        };
+        Ok(drawings.map(element).collect::<Result<Vec<_>, Failure>>()?.join("\n"))
     }
 
     /// A file's bytes.

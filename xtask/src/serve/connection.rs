@@ -102,7 +102,7 @@ fn send(
     let connection = if request.keep { "keep-alive" } else { "close" };
     let mut answer = format!(
         "HTTP/1.1 {status}\r\nContent-Type: {media}\r\nContent-Length: {}\r\nCache-Control: no-store\r\n\
-         X-Content-Type-Options: nosniff\r\nConnection: {connection}\r\n{extra}\r\n",
+         Access-Control-Allow-Origin: *\r\nX-Content-Type-Options: nosniff\r\nConnection: {connection}\r\n{extra}\r\n",
         content.len()
     )
     .into_bytes();

@@ -1,0 +1,132 @@
+// Figures in pages of other origins: by the element and in a frame.
+
+import { createServer } from "node:http";
+import { test as base, expect } from "@playwright/test";
+
+/** @typedef {import("@playwright/test").Page} Page */
+/** @typedef {{body: string, headers?: Record<string, string>}} Document */
+
+/** @typedef {(wanted: Document) => string} Host  Takes a document to serve and says its address. */
+
+/**
+ * A server of another origin than the site's, with one document at a time.
+ *
+ * @type {import("@playwright/test").Fixtures<{host: Host}, {}, import("@playwright/test").PlaywrightTestArgs>}
+ */
+const fixtures = {
+  host: async ({}, /** @type {(host: Host) => Promise<void>} */ use) => {
+    /** @type {Document} */
+    let document = { body: "" };
+    const server = createServer((request, response) => {
+      const page = request.url === "/";
+      response.writeHead(page ? 200 : 404, { "Content-Type": "text/html", ...document.headers });
+      response.end(page ? `<!doctype html><meta charset="utf-8"><title>A host</title>${document.body}` : "");
+    });
+    await new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(undefined)));
+    const address = /** @type {import("node:net").AddressInfo} */ (server.address());
+    await use((/** @type {Document} */ wanted) => {
+      document = wanted;
+      return `http://127.0.0.1:${address.port}/`;
+    });
+    server.closeAllConnections();
+    server.close();
+  },
+};
+const test = base.extend(fixtures);
+
+const ELEMENT = (/** @type {string | undefined} */ site) => `<script type="module" src="${site}gear-figure.js"></script>`;
+const LISTEN = `<script>
+  window.heard = [];
+  for (const type of ["gear-ready", "gear-change", "gear-error"]) addEventListener(type, (event) => heard.push([type, event.detail]));
+  addEventListener("message", ({ data }) => heard.push([data.type, data]));
+</script>`;
+
+/** @param {Page} page @param {string} type */
+function heard(page, type) {
+  return page.evaluate((wanted) => /** @type {any} */ (window).heard.filter((/** @type {any[]} */ [name]) => name === wanted).map((/** @type {any[]} */ [, detail]) => JSON.parse(JSON.stringify(detail))), type);
+}
+
+/** @param {Page} page @param {string} type @param {number} [count] */
+async function hears(page, type, count = 1) {
+  await expect.poll(async () => (await heard(page, type)).length, { timeout: 30_000 }).toBeGreaterThanOrEqual(count);
+  return heard(page, type);
+}
+
+test("one script brings the element to any page, and it wears its own clothes", async ({ page, host, baseURL }) => {
+  const address = host({
+    body: `<style>* { letter-spacing: 1em; text-transform: uppercase; font: 40px cursive } :root { --ink: red }</style>${LISTEN}${ELEMENT(baseURL)}
+      <gear-figure figure="2" k="6" controls="compact" style="--gear-accent: rgb(1, 2, 3)"></gear-figure>
+      <div style="height: 6000px"></div>
+      <gear-figure id="far" figure="4" controls="none"></gear-figure>`,
+  });
+  await page.goto(address);
+  const [ready] = await hears(page, "gear-ready");
+  expect(ready).toMatchObject({ figure: "2", params: { k_p: 6, k_g: 6 } });
+  // The other is far away: nothing of it is computed yet.
+  expect((await heard(page, "gear-ready")).length).toBe(1);
+  expect(await page.evaluate(() => [document.activeElement === document.body, scrollY])).toEqual([true, 0]);
+  const worn = await page.locator("gear-figure").first().evaluate((element) => {
+    const button = /** @type {Element} */ (element.shadowRoot?.querySelector("button"));
+    const { letterSpacing, textTransform, color } = getComputedStyle(button);
+    return { letterSpacing, textTransform, color, accent: getComputedStyle(element).getPropertyValue("--accent") };
+  });
+  expect(worn).toEqual({ letterSpacing: "normal", textTransform: "none", color: "rgb(27, 31, 36)", accent: "rgb(1, 2, 3)" });
+  const workers = page.workers().length;
+  await page.locator("#far").scrollIntoViewIfNeeded();
+  await hears(page, "gear-ready", 2);
+  expect(page.workers().length).toBe(workers);
+  expect(await page.locator("#far").evaluate((element) => element.shadowRoot?.querySelector(".panel"))).toBeNull();
+});
+
+test("where wasm is forbidden the still drawing stands there, with a sentence why", async ({ page, host, baseURL }) => {
+  const site = new URL(baseURL ?? "").origin;
+  const address = host({
+    body: `${ELEMENT(baseURL)}<gear-figure figure="2"></gear-figure>`,
+    headers: { "Content-Security-Policy": `default-src 'none'; script-src ${site}; img-src ${site}; connect-src ${site}; worker-src ${site} blob:` },
+  });
+  await page.goto(address);
+  const figure = page.locator("gear-figure");
+  await expect(figure.locator("img")).toBeVisible();
+  expect(await figure.locator("img").evaluate((image) => /** @type {HTMLImageElement} */ (image).decode().then(() => true))).toBe(true);
+  await expect(figure.locator(".status")).toContainText("cannot be computed here, so it stands still");
+});
+
+test("a frame tells its size, obeys its page, and hears nobody else", async ({ page, host, baseURL }) => {
+  const address = host({
+    body: `${LISTEN}<script src="${baseURL}gear-host.js"></script>
+      <iframe id="frame" title="A figure" src="${baseURL}embed.html#figure=11a&omega=1.65&controls=none" style="width: 600px; height: 10px; border: 0"></iframe>
+      <iframe id="stranger" title="A stranger" srcdoc="<script>addEventListener('message', () => parent.frames[0].postMessage({ gear: 1, type: 'set', params: { Omega: 1.5 } }, '*'))</script>"></iframe>`,
+  });
+  await page.goto(address);
+  const say = (/** @type {unknown} */ message) =>
+    page.evaluate((posted) => /** @type {HTMLIFrameElement} */ (document.querySelector("#frame")).contentWindow?.postMessage(posted, "*"), message);
+  const [ready] = await hears(page, "ready");
+  expect(ready).toMatchObject({ gear: 1, figure: "11a", params: { Omega: 1.65 } });
+  const [{ height }] = (await hears(page, "resize")).slice(-1);
+  expect(height).toBeGreaterThan(400);
+  await expect.poll(() => page.locator("#frame").evaluate((frame) => frame.clientHeight)).toBeGreaterThan(400);
+  await say({ gear: 1, type: "set", params: { Omega: 1.6 } });
+  expect((await hears(page, "change"))[0]).toMatchObject({ figure: "11a", params: { Omega: 1.6 } });
+  // Nothing that is not of the form is acted on; nor is what somebody else says.
+  for (const wrong of [null, 3, "set", { type: "set" }, { gear: 1, type: "set", params: { Omega: "x".repeat(99) } }, { gear: 2, type: "reset" }, { gear: 1, type: "set", figure: "../1" }]) {
+    await say(wrong);
+  }
+  await page.evaluate(() => /** @type {HTMLIFrameElement} */ (document.querySelector("#stranger")).contentWindow?.postMessage("now", "*"));
+  await say({ gear: 1, type: "get", id: 7, data: true });
+  const answer = (await hears(page, "change", 2))[1];
+  expect(answer).toMatchObject({ id: 7, figure: "11a", params: { Omega: 1.6 } });
+  expect(answer.data.series.length).toBeGreaterThan(1);
+  await say({ gear: 1, type: "set", params: { Omega: 1000 } });
+  expect((await hears(page, "error"))[0]).toMatchObject({ parameter: "Omega" });
+  expect(await page.evaluate(() => [document.activeElement === document.body, scrollY])).toEqual([true, 0]);
+});
+
+test("a frame without scripts shows the still drawing that its address names", async ({ browser, baseURL }) => {
+  const context = await browser.newContext({ javaScriptEnabled: false });
+  const page = await context.newPage();
+  await page.goto(`${baseURL}embed.html#figure=11a`);
+  await expect(page.getByText("Scripts are not allowed here")).toBeVisible();
+  await expect(page.locator(".still:visible")).toHaveCount(1);
+  await expect(page.locator('[id="figure=11a"] img')).toBeVisible();
+  await context.close();
+});
