@@ -75,7 +75,7 @@ fn check(figure: &Figure) {
 #[test]
 fn every_figure_is_whole_with_its_preset() {
     let ids: Vec<&str> = specifications().iter().map(|specification| specification.id).collect();
-    let expected = "1 2 3 4 5 6 7 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c 14a 14b T B M S L A E";
+    let expected = "1 2 3 4 5 6 7 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c 14a 14b T B M S L A U P W E";
     assert_eq!(ids.join(" "), expected);
     for specification in specifications() {
         let figure = made(specification.id, &[]);

@@ -2,7 +2,7 @@
 
 use super::compose::{Composer, Line, Points, axis, even, number, plane};
 use super::exact::{Exact, Spot, Style};
-use super::job::{Figure, Slices};
+use super::job::{Fact, Figure, Slices};
 use super::tongue_range::range;
 use super::tongues::{Setting, half_parabola};
 use crate::chart::drawing::{Drawing, Role};
@@ -183,6 +183,8 @@ impl Slices for Branches {
                 .to_owned(),
             error: self.exact.error(),
             notes: self.exact.notes(),
+            facts: vec![("branches", Fact::Number(self.exact.branches().len() as f64))],
+            orbits: Some(self.exact.orbits()),
             ..Figure::drawn(id, parameters, self.drawing())
         }
     }

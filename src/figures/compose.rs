@@ -249,6 +249,19 @@ pub(super) fn number(value: f64, digits: usize) -> String {
     }
 }
 
+/// The next of a ladder of round numbers: a frame that grows with its data moves in few steps.
+pub(super) fn rounded_up(value: f64) -> f64 {
+    if !(value.is_finite() && value > 1e-12) {
+        return 1e-3;
+    }
+    let power = 10_f64.powf(value.log10().floor());
+    [1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
+        .into_iter()
+        .map(|digits| digits * power)
+        .find(|step| *step >= value)
+        .unwrap_or(10.0 * power)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -262,6 +275,16 @@ mod tests {
         assert_eq!(number(1234.6, 3), "1235");
         assert_eq!(number(0.0, 3), "0");
         assert_eq!(number(3.2e-9, 2), "3.2e-9");
+    }
+
+    #[test]
+    fn the_ladder_holds_every_value_and_wastes_little() {
+        for value in [1e-9, 0.099, 0.1, 0.54, 1.0, 3.49, 9.3, 123.0] {
+            let up = rounded_up(value);
+            assert!(up >= value && up <= 1.26 * value, "{value} {up}");
+        }
+        assert_eq!(rounded_up(0.0), 1e-3);
+        assert_eq!(rounded_up(f64::NAN), 1e-3);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! torus bifurcations of the steady response.
 
 use super::compose::{Composer, Line, Points, even};
+use super::job::Orbits;
 use crate::chart::drawing::{Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
@@ -27,6 +28,8 @@ struct Size {
     omega: f64,
     max_u_p: f64,
     stable: bool,
+    /// A state on it at t = 0.
+    state: [f64; 6],
 }
 
 /// The work on the exact branches, done in slices.
@@ -150,7 +153,8 @@ impl Exact {
         self.search = None;
         // Where there is no torus the line ends.
         if let Ok(found) = answer {
-            self.tori.push(Size { omega, max_u_p: found.max_u_p, stable: found.stable });
+            let state = found.curve.first().copied().unwrap_or_default();
+            self.tori.push(Size { omega, max_u_p: found.max_u_p, stable: found.stable, state });
             self.of_tori = self.of_tori.worse(found.error);
         }
         Ok(self.waiting.as_ref().is_none_or(Vec::is_empty))
@@ -212,6 +216,28 @@ impl Exact {
             _ => {}
         }
         notes
+    }
+
+    /// Every orbit and torus that is drawn, for a reader who picks one.
+    pub(super) fn orbits(&self) -> Orbits {
+        let mut all = Orbits::default();
+        let mut add = |omega: f64, max_u_p: f64, period: usize, stable: bool, state: &[f64; 6]| {
+            all.omega.push(omega);
+            all.max_u_p.push(max_u_p);
+            all.period.push(period as f64);
+            all.stable.push(f64::from(u8::from(stable)));
+            all.state.extend(state);
+        };
+        for branch in self.branches() {
+            for at in (0..branch.value.len()).filter(|&at| !steep(branch, at)) {
+                let (omega, state, max_u_p) = Spot::Point(at).of(branch);
+                add(omega, max_u_p, branch.period, branch.stable[at], &state);
+            }
+        }
+        for torus in &self.tori {
+            add(torus.omega, torus.max_u_p, 0, torus.stable, &torus.state);
+        }
+        all
     }
 
     /// Greatest `|u_p|` of all.
@@ -322,6 +348,7 @@ impl Exact {
                 omega: event.value,
                 max_u_p: event.max_u_p,
                 stable: nearest.stable,
+                state: event.state,
             })
         })
         .collect()

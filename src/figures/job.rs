@@ -14,13 +14,19 @@ use super::multiplier_paths::MultiplierPaths;
 use super::overall::Overall;
 use super::poincare_map::{self, Map};
 use super::specification::{Specification, specification};
+use super::start::{self, Start};
 use super::sweep::Sweeps;
 use super::tongues::Supports;
-use super::{determinant, eigenvalues, hopf, pitchfork, response, schematic, stability};
+use super::trajectory_map::TrajectoryMap;
+use super::{
+    determinant, eigenvalues, hopf, pitchfork, response, schematic, stability, trajectory,
+    trajectory_spectrum,
+};
 use crate::chart::drawing::Drawing;
-use crate::error::FigureError;
+use crate::error::{FigureError, ModelError, StudyError};
 use crate::model::parameters::{Parameters, Value};
 use crate::study::ErrorEstimate;
+use crate::study::motion::default_state;
 use crate::theory::modes::Mode;
 use std::fmt;
 
@@ -45,6 +51,40 @@ pub struct Figure {
     pub table: Vec<Row>,
     /// Remarks for the reader: contact lost, an escape, a tongue that is closed.
     pub notes: Vec<String>,
+    /// What the summary is made of, by name: for sentences in other languages.
+    pub facts: Vec<(&'static str, Fact)>,
+    /// The state from which the motion shown starts, where the figure takes one.
+    pub start: Option<[f64; 6]>,
+    /// The state in which what was computed of it ends, after whole mesh periods: from there another motion may go on.
+    pub end: Option<[f64; 6]>,
+    /// The orbits behind the branches that are drawn, for a reader who picks one.
+    pub orbits: Option<Orbits>,
+}
+
+/// One thing that a figure has found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fact {
+    /// A number, dimensionless.
+    Number(f64),
+    /// One of a few words.
+    Word(&'static str),
+    /// Whether something is so.
+    Truth(bool),
+}
+
+/// Orbits on branches, a row each: columns of one length.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Orbits {
+    /// Mesh frequency.
+    pub omega: Vec<f64>,
+    /// Greatest `|u_p|`.
+    pub max_u_p: Vec<f64>,
+    /// Period in mesh periods; 0 for a torus, which has none.
+    pub period: Vec<f64>,
+    /// 1 where it is stable, else 0.
+    pub stable: Vec<f64>,
+    /// State at t = 0, six numbers a row.
+    pub state: Vec<f64>,
 }
 
 /// One line of a table that sets what is printed beside what is computed.
@@ -104,6 +144,10 @@ impl Figure {
             motion: None,
             table: Vec::new(),
             notes: Vec::new(),
+            facts: Vec::new(),
+            start: None,
+            end: None,
+            orbits: None,
         }
     }
 
@@ -132,6 +176,7 @@ pub struct Motion {
 pub struct Job {
     specification: &'static Specification,
     parameters: Parameters,
+    start: Option<[f64; 6]>,
     work: Work,
 }
 
@@ -164,7 +209,9 @@ impl Job {
     /// [`FigureError::UnknownFigure`], or what [`Specification::with`] refuses.
     pub fn new(id: &str, given: &[(String, Value)]) -> Result<Self, FigureError> {
         let specification = specification(id)?;
-        let parameters = specification.with(given)?;
+        let (start, given) = start::split(given)?;
+        let parameters = specification.with(&given)?;
+        let start = started(specification, &start, &parameters)?;
         let beside = |formulas: Figure, part: Box<dyn Part>| {
             Work::Slices(Box::new(Beside::new(formulas, part)) as Box<dyn Slices>)
         };
@@ -187,10 +234,11 @@ impl Job {
             "S" => Work::Slices(Box::new(Sweeps::new(&parameters)?)),
             "8" => Work::Slices(Box::new(ExponentPaths::new(&parameters)?)),
             "M" => Work::Slices(Box::new(MultiplierPaths::new(&parameters))),
+            "P" => Work::Slices(Box::new(TrajectoryMap::new(&parameters, start))),
             id if poincare_map::draws(id) => Work::Slices(Box::new(Map::new(&parameters))),
             _ => Work::Waiting,
         };
-        Ok(Self { specification, parameters, work })
+        Ok(Self { specification, parameters, start, work })
     }
 
     /// Does the next slice of the work, some milliseconds; `true` once there is nothing more to do.
@@ -202,7 +250,7 @@ impl Job {
             Work::Finished(_) => Ok(true),
             Work::Slices(work) => work.advance(),
             Work::Waiting => {
-                let figure = at_once(self.specification.id, &self.parameters)?;
+                let figure = at_once(self.specification.id, &self.parameters, self.start)?;
                 self.work = Work::Finished(Box::new(figure));
                 Ok(true)
             }
@@ -219,9 +267,30 @@ impl Job {
     }
 }
 
-fn at_once(id: &'static str, parameters: &Parameters) -> Result<Figure, FigureError> {
+/// The start of a figure that takes one: what was given of it, where anything was.
+fn started(
+    specification: &Specification,
+    start: &Start,
+    parameters: &Parameters,
+) -> Result<Option<[f64; 6]>, FigureError> {
+    match start.first() {
+        Some(name) if !specification.starts => {
+            Err(StudyError::from(ModelError::UnknownParameter { name: name.to_owned() }).into())
+        }
+        _ => Ok(start.state(parameters)),
+    }
+}
+
+fn at_once(
+    id: &'static str,
+    parameters: &Parameters,
+    start: Option<[f64; 6]>,
+) -> Result<Figure, FigureError> {
+    let from = || start.unwrap_or_else(|| default_state(parameters));
     match id {
-        "1" => schematic::figure(id, parameters),
+        "1" => schematic::figure(id, parameters, start),
+        "U" => trajectory::figure(id, parameters, from()),
+        "W" => trajectory_spectrum::figure(id, parameters, from()),
         "2" => determinant::figure(id, parameters, Mode::Second),
         "4" => determinant::figure(id, parameters, Mode::Third),
         "14a" | "14b" => response::figure(id, parameters),

@@ -29,9 +29,14 @@ mod response;
 mod schematic;
 mod specification;
 mod stability;
+mod start;
 mod sweep;
 mod tongue_range;
 mod tongues;
+mod trajectory;
+mod trajectory_map;
+mod trajectory_spectrum;
 
-pub use job::{Entry, Figure, Job, Motion, Row, at_time, figure};
+pub use job::{Entry, Fact, Figure, Job, Motion, Orbits, Row, at_time, figure};
 pub use specification::{Preset, Specification, specification, specifications};
+pub use start::START;

@@ -1,7 +1,7 @@
 //! Figure M: the six Floquet multipliers beside the unit circle, and how they move with the mesh frequency.
 
 use super::compose::{Composer, Line, Points, axis, even, number, plane};
-use super::job::{Figure, Slices};
+use super::job::{Fact, Figure, Slices};
 use super::tongue_range::range;
 use super::tongues::split;
 use crate::chart::drawing::{Drawing, Frame, Role};
@@ -228,6 +228,13 @@ impl Slices for MultiplierPaths {
             summary: self.summary(here),
             method: here.method.clone(),
             error: here.error,
+            facts: vec![
+                ("stable", Fact::Truth(here.stable)),
+                ("spectralRadius", Fact::Number(here.spectral_radius)),
+                ("re", Fact::Number(here.re[0])),
+                ("im", Fact::Number(here.im[0].abs())),
+                ("loaded", Fact::Truth(self.loaded)),
+            ],
             ..Figure::drawn(id, parameters, self.drawing())
         };
         let missing = self.near.iter().chain(&self.far).filter(|sample| sample.1.is_none()).count();

@@ -1,6 +1,6 @@
 //! Figures 11-13: stroboscopic maps, which fill in as they are computed.
 
-use super::compose::{Composer, Line, Points, axis, number, plane};
+use super::compose::{Composer, Line, Points, axis, number, plane, rounded_up};
 use super::exact_map::{ExactMap, Sought};
 use super::job::{Figure, Slices};
 use crate::chart::drawing::{Drawing, Mark, Role};
@@ -38,7 +38,7 @@ const SPARSE: f64 = 800.0;
 
 /// What the fixed point in the middle is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Centre {
+pub(super) enum Centre {
     Stable,
     /// The largest multiplier is real and negative: sides change with every period.
     FlipSaddle,
@@ -47,7 +47,7 @@ enum Centre {
 }
 
 impl Centre {
-    fn of(multipliers: &Multipliers) -> Self {
+    pub(super) fn of(multipliers: &Multipliers) -> Self {
         if multipliers.stable {
             return Self::Stable;
         }
@@ -59,7 +59,7 @@ impl Centre {
         }
     }
 
-    fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         match self {
             Self::Stable => "stable",
             Self::FlipSaddle | Self::Saddle => "saddle",
@@ -67,7 +67,7 @@ impl Centre {
         }
     }
 
-    fn role(self) -> Role {
+    pub(super) fn role(self) -> Role {
         match self {
             Self::Stable => Role::Attractor,
             Self::FlipSaddle | Self::Saddle => Role::Saddle,
@@ -503,7 +503,7 @@ impl Map {
     }
 }
 
-fn article(kind: Centre) -> &'static str {
+pub(super) fn article(kind: Centre) -> &'static str {
     match kind {
         Centre::Stable => "stable",
         Centre::FlipSaddle | Centre::Saddle => "a saddle",
@@ -512,36 +512,23 @@ fn article(kind: Centre) -> &'static str {
 }
 
 /// Distance of two states.
-fn distance(one: &[f64; 6], other: &[f64; 6]) -> f64 {
+pub(super) fn distance(one: &[f64; 6], other: &[f64; 6]) -> f64 {
     one.iter().zip(other).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }
 
-/// The next of a ladder of round numbers: a frame that grows with its data moves in few steps.
-fn rounded_up(value: f64) -> f64 {
-    if !(value.is_finite() && value > 1e-12) {
-        return 1e-3;
-    }
-    let power = 10_f64.powf(value.log10().floor());
-    [1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
-        .into_iter()
-        .map(|digits| digits * power)
-        .find(|step| *step >= value)
-        .unwrap_or(10.0 * power)
-}
-
 /// Lets through the first point in each of many small cells.
-struct Thinning {
+pub(super) struct Thinning {
     middle: (f64, f64),
     cell: (f64, f64),
     seen: HashSet<(i32, i32)>,
 }
 
 impl Thinning {
-    fn new(middle: (f64, f64), reach: (f64, f64), cells: f64) -> Self {
+    pub(super) fn new(middle: (f64, f64), reach: (f64, f64), cells: f64) -> Self {
         Self { middle, cell: (2.0 * reach.0 / cells, 2.0 * reach.1 / cells), seen: HashSet::new() }
     }
 
-    fn first_there(&mut self, (x, y): (f64, f64)) -> bool {
+    pub(super) fn first_there(&mut self, (x, y): (f64, f64)) -> bool {
         let place = |value: f64, middle: f64, cell: f64| ((value - middle) / cell).round() as i32;
         self.seen.insert((place(x, self.middle.0, self.cell.0), place(y, self.middle.1, self.cell.1)))
     }
@@ -550,16 +537,6 @@ impl Thinning {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_ladder_holds_every_value_and_wastes_little() {
-        for value in [1e-9, 0.099, 0.1, 0.54, 1.0, 3.49, 9.3, 123.0] {
-            let up = rounded_up(value);
-            assert!(up >= value && up <= 1.26 * value, "{value} {up}");
-        }
-        assert_eq!(rounded_up(0.0), 1e-3);
-        assert_eq!(rounded_up(f64::NAN), 1e-3);
-    }
 
     #[test]
     fn thinning_keeps_one_point_of_a_cell() {

@@ -59,7 +59,7 @@ impl Run {
 }
 
 /// Least and greatest value of evenly sampled numbers, with a parabola through the samples about each.
-fn extremes(values: &[f64]) -> (f64, f64) {
+pub(super) fn extremes(values: &[f64]) -> (f64, f64) {
     let refined = |sign: f64| {
         let best =
             (0..values.len()).max_by(|&i, &j| (sign * values[i]).total_cmp(&(sign * values[j]))).unwrap_or(0);

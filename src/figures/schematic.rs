@@ -9,6 +9,7 @@ use super::job::{Figure, Motion, patience};
 use crate::chart::drawing::{Drawing, Frame, Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
+use crate::study::settling::closed;
 use crate::study::time_response::{TimeResponseOptions, time_response};
 use std::f64::consts::{PI, TAU};
 
@@ -27,16 +28,26 @@ const SAMPLES: usize = 48;
 /// Half the side of the window that the close view shows.
 const WINDOW: f64 = 0.27;
 
-/// Computes the motion: a settled stretch from rest, or, when the motion escapes, all of it up to there.
+/// Computes the motion: a settled stretch from a start (from rest, where none is given); of a start on an orbit that orbit,
+/// be it stable or not; or, when the motion escapes, all of it up to there.
 ///
 /// # Errors
 /// Those of [`time_response`].
-pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure, FigureError> {
-    let settling = ((patience(parameters) / parameters.mesh_period()) as usize).min(SETTLING);
+pub(super) fn figure(
+    id: &'static str,
+    parameters: &Parameters,
+    given: Option<[f64; 6]>,
+) -> Result<Figure, FigureError> {
+    let usual = TimeResponseOptions::new(parameters);
+    let state = given.unwrap_or(usual.state);
+    let on_orbit = given.is_some() && closed(parameters, &state, usual.tolerance)?.is_some();
+    let patient = ((patience(parameters) / parameters.mesh_period()) as usize).min(SETTLING);
+    let settling = if on_orbit { 0 } else { patient };
     let options = TimeResponseOptions {
+        state,
         periods: (settling + SHOWN) as f64,
         samples_per_period: SAMPLES,
-        ..TimeResponseOptions::new(parameters)
+        ..usual
     };
     let response = time_response(parameters, &options)?;
     let count = response.states.len();
@@ -76,6 +87,7 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
     let drawing = drawing(parameters, &motion, 0.0);
     Ok(Figure {
         summary,
+        start: Some(state),
         method: response.method,
         error: response.error,
         motion: Some(motion),

@@ -2,6 +2,7 @@
 
 use crate::error::FigureError;
 use crate::model::parameters::{Parameters, Value};
+use crate::study::motion::default_state;
 
 /// The value a figure gives a parameter where the reader has given none.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +40,8 @@ pub struct Specification {
     pub turnable: bool,
     /// It moves: see [`super::at_time`].
     pub animated: bool,
+    /// It shows a motion from a start, whose numbers it takes beside the parameters (see [`super::START`]).
+    pub starts: bool,
     /// Width over height at which it looks best.
     pub aspect: f64,
     /// It takes longer than a frame, so that it must not stand in the way of the quick ones; most such figures are
@@ -65,6 +68,7 @@ const BLANK: Specification = Specification {
     preset: &[],
     turnable: false,
     animated: false,
+    starts: false,
     aspect: 1.7,
     heavy: false,
 };
@@ -132,7 +136,7 @@ const CYCLE_CAPTION: &str = "The motion looked at once every mesh period, *T* = 
     what leaves it (light) winds onto a closed curve (dark): a motion of two frequencies, the limit cycle of the slow \
     flow, whose size shrinks as *Ω* nears the tongue's right edge.";
 
-static SPECIFICATIONS: [Specification; 28] = [
+static SPECIFICATIONS: [Specification; 31] = [
     Specification {
         id: "1",
         title: "Pinion and gear on their supports",
@@ -142,6 +146,7 @@ static SPECIFICATIONS: [Specification; 28] = [
         parameters: LOADED,
         preset: preset!["zeta" = 0.07, "alpha" = 0.0, "F" = 1.5, "Omega" = 1.6; regime = "backlash"],
         animated: true,
+        starts: true,
         aspect: 1.6,
         heavy: true,
         ..BLANK
@@ -358,6 +363,43 @@ static SPECIFICATIONS: [Specification; 28] = [
         ..BLANK
     },
     Specification {
+        id: "U",
+        title: "The motion in time",
+        caption: "Transmission error *u* from any start. Light red: the dead zone, where no tooth touches; a cross marks where \
+            contact is lost for the first time. A start on an orbit shows that orbit, be it stable or not.",
+        parameters: LOADED,
+        preset: preset!["zeta" = 0.07, "F" = 1.5, "Omega" = 1.6; regime = "backlash"],
+        starts: true,
+        aspect: 2.0,
+        ..BLANK
+    },
+    Specification {
+        id: "P",
+        title: "The motion once a mesh period",
+        caption: "Stroboscopic map: where a motion from any start is at each flash, *T* = 2π/*Ω* apart. Light: on its way; dark \
+            blue: what it settles on, or stays near; red, orange: the fixed point in the middle, where it is unstable. The map \
+            fills in as it is computed.",
+        parameters: LOADED,
+        preset: preset!["Omega" = 1.65],
+        starts: true,
+        aspect: 1.35,
+        heavy: true,
+        ..BLANK
+    },
+    Specification {
+        id: "W",
+        title: "The whine: a spectrum",
+        caption: "Amplitudes of *u* over frequency, on a logarithmic scale, where the motion from a start has settled. Lines at \
+            multiples of the mesh frequency *Ω*: a motion of period *T*; at its halves: one of period 2*T*; lines between \
+            them: one of two frequencies.",
+        parameters: LOADED,
+        preset: preset!["zeta" = 0.07, "F" = 1.5, "Omega" = 1.6; regime = "backlash"],
+        starts: true,
+        aspect: 2.0,
+        heavy: true,
+        ..BLANK
+    },
+    Specification {
         id: "E",
         title: "What the paper prints, and what is so",
         caption: "Line by line: where it stands, what is printed, what it should be, and what the exact system says, \
@@ -387,6 +429,11 @@ pub fn specification(id: &str) -> Result<&'static Specification, FigureError> {
 }
 
 impl Specification {
+    /// Where the motion shown starts with the figure's own parameters when nothing is said; zeros for a figure without one.
+    pub fn usual_start(&self) -> [f64; 6] {
+        if self.starts { self.with(&[]).map(|p| default_state(&p)).unwrap_or_default() } else { [0.0; 6] }
+    }
+
     /// The parameters of this figure: what was given, the preset for what was not, the defaults for the rest.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! Figure T: the tongues of instability, exact, over the mesh frequency and the depth of the pulsation.
 
 use super::compose::{Composer, Line, Points, axis, even, number, plane};
-use super::job::Figure;
+use super::job::{Fact, Figure};
 use super::tongue_range::range;
 use super::tongues::Setting;
 use crate::chart::drawing::{Drawing, Frame, Mark, Role};
@@ -107,6 +107,11 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
             residual: greatest(|error| error.residual),
         },
         notes,
+        facts: vec![
+            ("stable", Fact::Truth(here.stable)),
+            ("spectralRadius", Fact::Number(here.spectral_radius)),
+            ("growth", Fact::Number(growth)),
+        ],
         ..Figure::drawn(id, parameters, drawing)
     })
 }

@@ -5,7 +5,7 @@ use wasm_bindgen::JsValue;
 
 use crate::chart::drawing::{Axis, Drawing, Frame, Mark, Series};
 use crate::error::FigureError;
-use crate::figures::{self, Entry, Figure, Motion, Row};
+use crate::figures::{self, Entry, Fact, Figure, Motion, Orbits, Row, START};
 use crate::study::ErrorEstimate;
 use crate::web::columns::{Record, parameters_record};
 use crate::web::errors::WebError;
@@ -32,17 +32,26 @@ pub fn figure_record(figure: &Figure, title: &str) -> Record {
     let record = Record::new()
         .value("id", figure.id)
         .value("title", title)
-        .record("params", parameters_record(&figure.parameters))
+        .record("params", params_record(figure))
         .pair("grid", whole_pair(drawing.grid))
         .list("axes", drawing.frames.iter().map(frame_record))
         .list("series", drawing.series.iter().map(|series| series_record(series, &drawing.frames)))
         .value("summary", figure.summary.as_str())
         .texts("notes", figure.notes.iter().map(String::as_str))
+        .record("facts", facts_record(figure))
         .provenance(&figure.method, &figure.error);
     let record = if figure.table.is_empty() {
         record.value("table", JsValue::NULL)
     } else {
         record.list("table", figure.table.iter().map(row_record))
+    };
+    let record = match &figure.end {
+        None => record.value("end", JsValue::NULL),
+        Some(end) => record.column("end", end),
+    };
+    let record = match &figure.orbits {
+        None => record.value("orbits", JsValue::NULL),
+        Some(orbits) => record.record("orbits", orbits_record(orbits)),
     };
     match &figure.motion {
         None => record.value("motion", JsValue::NULL),
@@ -55,6 +64,33 @@ pub fn figure_record(figure: &Figure, title: &str) -> Record {
                 .column("u", &motion.u),
         ),
     }
+}
+
+/// Every parameter, and the start of a figure that takes one: given back, they make the same figure.
+fn params_record(figure: &Figure) -> Record {
+    let start = figure.start.unwrap_or_default();
+    let record = parameters_record(&figure.parameters);
+    if figure.start.is_none() {
+        return record;
+    }
+    START.iter().zip(start).fold(record, |record, (info, value)| record.number(info.name, value))
+}
+
+fn facts_record(figure: &Figure) -> Record {
+    figure.facts.iter().fold(Record::new(), |record, (name, fact)| match fact {
+        Fact::Number(number) => record.number(name, *number),
+        Fact::Word(word) => record.value(name, *word),
+        Fact::Truth(truth) => record.value(name, *truth),
+    })
+}
+
+fn orbits_record(orbits: &Orbits) -> Record {
+    Record::new()
+        .column("Omega", &orbits.omega)
+        .column("maxU_p", &orbits.max_u_p)
+        .column("period", &orbits.period)
+        .column("stable", &orbits.stable)
+        .column("state", &orbits.state)
 }
 
 fn row_record(row: &Row) -> Record {
@@ -133,7 +169,7 @@ pub fn read_figure(value: &JsValue) -> Result<(Figure, String), WebError> {
     if params.is_nothing() {
         return Err(params.wrong("the parameters"));
     }
-    let parameters = options::parameters(params.value())?;
+    let (parameters, start) = options::parameters_and_start(params.value())?;
     let error = object.get("error")?;
     let notes = object.get("notes")?.list(1_000)?;
     let figure = Figure {
@@ -148,8 +184,12 @@ pub fn read_figure(value: &JsValue) -> Result<(Figure, String), WebError> {
             residual: read_optional(&error, "residual")?,
         },
         motion: read_motion(&object.get("motion")?)?,
-        // Drawing needs the rows no more; the object keeps them.
+        // Drawing needs rows, facts and orbits no more; the object keeps them.
         table: Vec::new(),
+        facts: Vec::new(),
+        orbits: None,
+        start,
+        end: None,
         notes: notes.iter().map(|note| note.text(LONGEST_SENTENCE)).collect::<Result<_, _>>()?,
     };
     Ok((figure, title))

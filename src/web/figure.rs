@@ -4,7 +4,7 @@ use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::js_sys::Array;
 
-use crate::figures::{self, Job, Preset, Specification};
+use crate::figures::{self, Job, Preset, START, Specification};
 use crate::model::parameters::{
     ParameterInfo, Parameters, Regime, SHORT_FORMS, Scale, ShortForm, TABLE, info,
 };
@@ -87,15 +87,25 @@ impl FigureProgress {
 
 fn specification_record(specification: &Specification) -> Record {
     let controls = specification.parameters.iter().map(|name| control_record(specification, name));
+    let starts = start_controls(specification);
     Record::new()
         .value("id", specification.id)
         .value("title", specification.title)
         .value("caption", specification.caption)
-        .list("parameters", controls)
+        .list("parameters", controls.chain(starts))
         .value("turnable", specification.turnable)
         .value("animated", specification.animated)
         .number("aspect", specification.aspect)
         .value("heavy", specification.heavy)
+}
+
+/// The controls of a start, with the state in which this figure starts where nothing is said.
+fn start_controls(specification: &Specification) -> Vec<Record> {
+    if !specification.starts {
+        return Vec::new();
+    }
+    let usual = specification.usual_start();
+    START.iter().zip(usual).map(|(line, value)| parameter_record(line, None, value)).collect()
 }
 
 /// One control of a figure: the parameter's line, with this figure's own default.

@@ -3,6 +3,7 @@
 use wasm_bindgen::JsValue;
 
 use crate::error::ModelError;
+use crate::figures::START;
 use crate::model::parameters::{Parameters, Regime, Value, info};
 use crate::study::grid::{Grid, MOST_VALUES};
 use crate::study::motion::TOLERANCE;
@@ -39,7 +40,8 @@ fn parameter_value(name: &str, value: &JsValue) -> Result<Value, WebError> {
             ModelError::NotAChoice { parameter: name.into(), given, allowed: &Regime::NAMES }.into()
         });
     }
-    number_value(name, value, info(name).map(|info| (info.low, info.high)))
+    let info = info(name).or_else(|| START.iter().find(|info| info.name == name));
+    number_value(name, value, info.map(|info| (info.low, info.high)))
 }
 
 /// A finite number by the name of a parameter or quantity with this range; without a range there is no such name.
@@ -63,6 +65,23 @@ pub fn number_value(name: &str, value: &JsValue, range: Option<(f64, f64)>) -> R
 pub fn parameters(params: &JsValue) -> Result<Parameters, WebError> {
     let named = named_values(params)?;
     Ok(Parameters::from_named(named.iter().map(|(name, value)| (name.as_str(), value.clone())))?)
+}
+
+/// The same from the `params` of a figure object, which hold a start as well where the figure takes one.
+///
+/// # Errors
+/// As [`parameters`].
+pub fn parameters_and_start(params: &JsValue) -> Result<(Parameters, Option<[f64; 6]>), WebError> {
+    let named = named_values(params)?;
+    let is_start = |name: &str| START.iter().position(|info| info.name == name);
+    let mut start = None;
+    for (name, value) in &named {
+        if let (Some(index), Value::Number(value)) = (is_start(name), value) {
+            start.get_or_insert([0.0; 6])[index] = *value;
+        }
+    }
+    let rest = named.iter().filter(|(name, _)| is_start(name).is_none());
+    Ok((Parameters::from_named(rest.map(|(name, value)| (name.as_str(), value.clone())))?, start))
 }
 
 /// An options object whose names are known. `undefined` as a value is as if the option were not there.

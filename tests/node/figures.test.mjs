@@ -8,7 +8,7 @@ import { allFinite, gear, load, refused, script, secondsComputed } from "./suppo
 /** @typedef {import("../../www/engine/gear-bifurcations.js").Figure} Figure */
 /** @typedef {import("../../www/engine/gear-bifurcations.js").FigureInfo} FigureInfo */
 
-const IDS = "1 2 3 4 5 6 7 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c 14a 14b T B M S L A E".split(" ");
+const IDS = "1 2 3 4 5 6 7 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c 14a 14b T B M S L A U P W E".split(" ");
 /** @type {Map<string, Figure>} */
 const figures = new Map();
 
@@ -53,7 +53,7 @@ test("figure() has the shape of the contract and holds no number that is not fin
   for (const [id, figure] of figures) {
     assert.deepEqual(
       Object.keys(figure),
-      "id title params grid axes series summary notes method error table motion".split(" "),
+      "id title params grid axes series summary notes facts method error table end orbits motion".split(" "),
     );
     assert.equal(figure.id, id);
     allFinite(figure, id);

@@ -625,6 +625,28 @@ export interface Motion {
   u: Float64Array;
 }
 
+/** Where a motion starts: a state at t = 0, number by number. */
+export interface Start {
+  u_p0: number;
+  u_g0: number;
+  u0: number;
+  u_p_dot0: number;
+  u_g_dot0: number;
+  u_dot0: number;
+}
+
+/** Orbits on branches, a row each. */
+export interface Orbits {
+  Omega: Float64Array;
+  maxU_p: Float64Array;
+  /** In mesh periods; 0 for a torus, which has none. */
+  period: Float64Array;
+  /** 1 or 0. */
+  stable: Float64Array;
+  /** Six numbers a row. */
+  state: Float64Array;
+}
+
 /** A line of a figure that is a table: what is printed beside what is computed. */
 export interface TableRow {
   /** Where it is printed, in label markup. */
@@ -649,7 +671,8 @@ export interface TableRow {
 export interface Figure extends Provenance {
   id: string;
   title: string;
-  params: FullParameters;
+  /** Every parameter, and the start of a figure that shows a motion from one: given back they make the same figure. */
+  params: FullParameters & Partial<Start>;
   /** Grid of cells: columns, rows. */
   grid: [number, number];
   axes: FigureFrame[];
@@ -657,8 +680,14 @@ export interface Figure extends Provenance {
   /** One sentence made from the data. */
   summary: string;
   notes: string[];
+  /** What the summary is made of, by name: numbers, words, or whether something is so. */
+  facts: Record<string, number | string | boolean>;
   /** The lines of a figure that is a table (figure E); null for the others. */
   table: TableRow[] | null;
+  /** The state in which what was computed of a motion ends, after whole mesh periods (figure U); else null. */
+  end: Float64Array | null;
+  /** The orbits behind the branches drawn (figure B); null for the others. */
+  orbits: Orbits | null;
   motion: Motion | null;
 }
 
