@@ -51,6 +51,9 @@ const OWN = {
   S: {},
   L: { E: 0.1, F: 1, Omega: 1.2, regime: "contact" },
   A: { Omega: 1.65 },
+  U: { ...LOADED, regime: "backlash" },
+  P: { Omega: 1.65 },
+  W: { ...LOADED, regime: "backlash" },
   E: {},
 };
 
@@ -72,6 +75,6 @@ export function presetGiven(id) {
 
 /** Numbers before letters, each in its order. @param {string} id */
 function rank(id) {
-  const order = "TBMSLAE".indexOf(id);
+  const order = "TBMSLAUPWE".indexOf(id);
   return order < 0 ? Number.parseInt(id, 10) : 100 + order;
 }

@@ -142,6 +142,25 @@ export class Engine {
     }
   }
 
+  /**
+   * A real gear pair to parameters and scales: a few formulas.
+   *
+   * @param {import("../../gear-bifurcations.js").PhysicalPair} si
+   */
+  fromPhysical(si) {
+    return this.#gear.fromPhysical(si);
+  }
+
+  /**
+   * Parameters and scales back to a real gear pair.
+   *
+   * @param {import("../../gear-bifurcations.js").Parameters} p
+   * @param {import("../../gear-bifurcations.js").Scales} scales
+   */
+  toPhysical(p, scales) {
+    return this.#gear.toPhysical(p, scales);
+  }
+
   /** Lets computations run to their ends: until this is called they stop at their first picture. */
   complete() {
     this.#pool.complete();

@@ -4,7 +4,8 @@
  *
  * Attributes: `figure`, parameters by name in any letter case, `controls="full|compact|none"`, `theme="light|dark|auto"`.
  * Methods: `data()`, `map()`, `reset()`, `play()`, `pause()`. Events, bubbling and composed: `gear-ready` when the first
- * complete figure is there, `gear-change` when one with other parameters is, `gear-error` with the error's fields.
+ * complete figure is there, `gear-change` when one with other parameters is, `gear-error` with the error's fields; and
+ * `gear-paint`, which does not bubble, after every drawing.
  *
  * @typedef {import("./services.js").Services} Services
  * @typedef {import("./services.js").Figure} Figure
@@ -148,6 +149,11 @@ export class GearFigure extends HTMLElement {
     return this.#computation.answer;
   }
 
+  /** What is drawn at present, complete or not; null before the first. */
+  get shown() {
+    return this.#figure;
+  }
+
   /** The map between pixels and data of each frame of the last drawing; null before the first. */
   map() {
     return this.#maps.length === 0 ? null : { frames: this.#maps };
@@ -187,6 +193,7 @@ export class GearFigure extends HTMLElement {
       this.#complain(thrown);
       return;
     }
+    this.dispatchEvent(new Event("gear-paint"));
     if (stage.classList.contains("live")) return;
     stage.classList.add("live");
     this.#services.painted(this);

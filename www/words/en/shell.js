@@ -22,7 +22,6 @@ export const words = {
   "link.repeated": "“{name}” is given twice; the first counts.",
   "link.more": "And {count} more.",
   "link.nothing": "nothing",
-  "lab.soon": "The laboratory is not furnished yet. Every figure of the story can be changed in its place.",
   "class.soon": "The classroom is not furnished yet.",
   undo: "Undo",
   redo: "Redo",
