@@ -119,7 +119,8 @@ impl Run {
             extremes(&last.map(|state| state[2]).collect::<Vec<_>>())
         });
         let last = response.states.iter().rev().take(LAST * SAMPLES + 1);
-        let max_u_p = last.fold(0.0_f64, |most, state| most.max(state[0].abs()));
+        let (low, high) = extremes(&last.map(|state| state[0]).collect::<Vec<_>>());
+        let max_u_p = high.max(-low);
         Ok(Self { response, closed, settled, max_u_p, end })
     }
 

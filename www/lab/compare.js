@@ -30,6 +30,8 @@ export class Compare {
   /** @type {Figures} */
   #present = new Map();
   #frame = 0;
+  /** Figures that are drawn already, with their themes. @type {WeakMap<Figure, {canvas: HTMLCanvasElement, theme: string}>} */
+  #pictures = new WeakMap();
 
   /**
    * @param {RoomServices} services
@@ -190,15 +192,18 @@ export class Compare {
 
   /** @param {Figure | undefined} figure */
   #picture(figure) {
+    const { engine, store } = this.#services;
+    const theme = resolveTheme(store.state.theme);
+    const known = figure === undefined ? undefined : this.#pictures.get(figure);
+    if (known !== undefined && known.theme === theme) return known.canvas;
     const canvas = element("canvas", "");
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", figure?.summary ?? say("lab.c.unknown"));
     if (figure === undefined) return canvas;
-    const { engine, store } = this.#services;
+    this.#pictures.set(figure, { canvas, theme });
     // Drawn when it has its place, of which the size follows.
     requestAnimationFrame(() => {
       if (!canvas.isConnected || canvas.clientWidth < 120) return;
-      const theme = resolveTheme(store.state.theme);
       canvas.width = Math.round(canvas.clientWidth * density());
       canvas.height = Math.round(canvas.clientHeight * density());
       engine.draw(figure, canvas, { theme, density: density() });

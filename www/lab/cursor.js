@@ -175,8 +175,11 @@ export class Cursor {
   /** Moves the charts' edges so that what they share of the axis lies at the same pixels. */
   #align() {
     const [above, below] = [mapOf(this.#chart), mapOf(this.#branches)];
-    if (above === null || below === null) return;
     const [one, other] = [this.#chart.figure, this.#branches.figure];
+    if (above === null || below === null) {
+      for (const figure of [one, other]) inset(figure, 0, 0);
+      return;
+    }
     const width = this.#home.clientWidth;
     if (one.offsetTop === other.offsetTop || Math.abs(one.getBoundingClientRect().width - other.getBoundingClientRect().width) > 1) return;
     const beside = { left: above.plot.left, right: storeWidth(one) - above.plot.right };

@@ -41,6 +41,8 @@ class Laboratory {
   #services;
   /** The newest figure of each chart. @type {Map<string, Figure>} */
   #figures = new Map();
+  /** What was drawn last in each, whether it still holds or not. @type {Map<string, Figure>} */
+  #drawn = new Map();
   /** Charts that cannot be, and why. @type {Map<string, string>} */
   #refused = new Map();
   #sentence = element("p", "sentence");
@@ -128,7 +130,8 @@ class Laboratory {
   #watch(id, figure) {
     figure.addEventListener("gear-paint", () => {
       const { shown } = figure;
-      if (shown === null || shown === this.#figures.get(id)) return;
+      if (shown === null || shown === this.#drawn.get(id)) return;
+      this.#drawn.set(id, shown);
       this.#figures.set(id, shown);
       this.#refused.delete(id);
       this.#later();
