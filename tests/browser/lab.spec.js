@@ -184,11 +184,11 @@ test("play lets the mesh frequency creep, the state carried over, until it is st
 
 test("presets are the paper's figures; contact lost is told in words and by a sign", async ({ page }) => {
   await enter(page);
-  await page.getByRole("combobox", { name: "Start from" }).selectOption("14a");
+  await page.getByRole("combobox", { name: "Preset" }).selectOption("14a");
   await expect(flag(page)).toContainText("✕ contact lost at t = ", { timeout: 15_000 });
-  await page.getByRole("combobox", { name: "Start from" }).selectOption("14b");
+  await page.getByRole("combobox", { name: "Preset" }).selectOption("14b");
   await expect(flag(page)).toContainText(/✓ contact kept, margin 0\.\d/, { timeout: 15_000 });
-  await page.getByRole("combobox", { name: "Start from" }).selectOption("12b");
+  await page.getByRole("combobox", { name: "Preset" }).selectOption("12b");
   await expect(sentence(page)).toContainText("Rest is an unstable spiral", { timeout: 15_000 });
   expect((await stateOf(page)).point).toEqual({});
 });
@@ -241,9 +241,9 @@ test("a gear pair in SI units goes in, and speeds and torques come out", async (
 test("two states can be pinned, compared and gone back to", async ({ page }) => {
   await enter(page);
   await page.getByRole("button", { name: "Pin this state" }).click();
-  await page.getByRole("combobox", { name: "Start from" }).selectOption("14b");
+  await page.getByRole("combobox", { name: "Preset" }).selectOption("14b");
   await page.getByRole("button", { name: "Pin this state" }).click();
-  await page.getByRole("combobox", { name: "Start from" }).selectOption("12c");
+  await page.getByRole("combobox", { name: "Preset" }).selectOption("12c");
   const compare = page.getByRole("region", { name: "Comparison" });
   await expect(compare.getByRole("columnheader")).toHaveText([/^A/, /^B/, "now"]);
   await expect(compare.getByRole("row", { name: /^Ω, mesh frequency/ }).getByRole("cell")).toHaveText(["1.65", "1.6", "3.75"]);

@@ -26,8 +26,6 @@ const KEYS = new Map([
  * @typedef {object} Hooks
  * @property {() => number} omega
  * @property {(omega: number) => void} move
- * @property {() => void} hold
- * @property {() => void} release
  * @property {(omega: number) => string} words  The cursor's place, for the ear.
  */
 
@@ -202,16 +200,13 @@ export class Cursor {
       if (event.button !== 0) return;
       dragging = event.pointerId;
       knob.setPointerCapture(event.pointerId);
-      this.#hooks.hold();
     });
     knob.addEventListener("pointermove", (event) => {
       if (event.pointerId === dragging) this.#moveTo(event.clientX);
     });
     for (const end of /** @type {const} */ (["pointerup", "pointercancel"])) {
       knob.addEventListener(end, () => {
-        if (dragging === null) return;
         dragging = null;
-        this.#hooks.release();
       });
     }
     knob.addEventListener("keydown", (event) => {

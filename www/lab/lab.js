@@ -76,8 +76,6 @@ class Laboratory {
     this.#cursor = new Cursor(left, chart("T"), chart("B"), {
       omega,
       move: (to) => act("act.parameter", (state) => withPoint(state, { Omega: to }), { merge: "lab Omega" }),
-      hold: () => store.hold(),
-      release: () => store.release(),
       words: (at) => number(at, { digits: 6 }),
     });
     this.#creep = new Creep(services, {
@@ -110,6 +108,10 @@ class Laboratory {
     document.addEventListener("visibilitychange", () => this.#see());
     store.subscribe((state, before) => {
       if (state.view !== before.view) this.#see();
+      if (state.preset !== before.preset) {
+        this.#creep.stop();
+        this.#cursor.forgetTrail();
+      }
     });
     this.#cursor.pin(this.#compare.places);
     this.#begin();
@@ -229,27 +231,6 @@ class Laboratory {
   }
 
   #toolbar() {
-    const { act, presets, store } = this.#services;
-    const preset = named(document.createElement("select"), "aria-label", "lab.preset");
-    for (const id of presets) {
-      const option = new Option("", id);
-      const show = () => {
-        option.textContent = say("lab.figure", { id: id.replace(/(?<=\d)(?=[a-z])/, " ") });
-      };
-      show();
-      onLanguage(show);
-      preset.append(option);
-    }
-    const showPreset = () => {
-      preset.value = store.state.preset;
-    };
-    preset.addEventListener("change", () => {
-      this.#creep.stop();
-      this.#cursor.forgetTrail();
-      act("act.preset", (state) => withPreset(state, preset.value));
-    });
-    store.subscribe(showPreset);
-    showPreset();
     const direction = choice("lab.direction", [["-1", "lab.down"], ["1", "lab.up"]], (value) => {
       this.#creep.direction = value === "1" ? 1 : -1;
     });
@@ -268,7 +249,6 @@ class Laboratory {
     const bar = named(element("div", "toolbar"), "aria-label", "lab.tools");
     bar.setAttribute("role", "group");
     bar.append(
-      element("span", "group", spoken(element("span", "label"), "lab.preset"), preset),
       element("span", "group", this.#play, direction, pace),
       element("span", "group", button("lab.pin", () => this.#compare.pin()), this.#pairButton),
       element("span", "group", this.#soundButton, this.#volume),
@@ -304,10 +284,10 @@ class Laboratory {
       act("act.preset", (state) => withPreset(state, presets[(at + steps + presets.length) % presets.length]));
     };
     actions.register(
-      { id: "lab.play", word: "lab.do.play", key: "p", run: () => this.#toggle(), possible },
+      { id: "lab.play", word: "lab.do.play", key: "g", run: () => this.#toggle(), possible },
       { id: "lab.orbit", word: "lab.do.orbit", key: "o", run: () => this.#orbits.next(), possible },
-      { id: "lab.pin", word: "lab.do.pin", key: "b", run: () => this.#compare.pin(), possible },
-      { id: "lab.sound", word: "lab.do.sound", key: "s", run: () => this.#switchSound(), possible },
+      { id: "lab.pin", word: "lab.do.pin", key: "k", run: () => this.#compare.pin(), possible },
+      { id: "lab.sound", word: "lab.do.sound", key: "w", run: () => this.#switchSound(), possible },
       { id: "lab.pair", word: "lab.do.pair", key: "i", run: () => this.#showPair(!this.#pair.shown), possible },
       { id: "lab.start", word: "lab.do.start", run: () => this.#parameters.open("start"), possible },
       { id: "lab.next", word: "lab.do.next", key: "n", run: () => byPreset(1), possible },

@@ -191,11 +191,6 @@ export class Parameters {
   }
 
   #listen() {
-    const { store } = this.#services;
-    this.#drawer.addEventListener("pointerdown", (event) => {
-      if (event.target instanceof HTMLInputElement && event.target.type === "range") store.hold();
-    });
-    for (const end of ["pointerup", "pointercancel"]) this.#drawer.addEventListener(end, () => store.release());
     this.element.addEventListener("keydown", (event) => {
       if (event.key !== "Escape" || this.#open === null) return;
       event.stopPropagation();
@@ -229,8 +224,6 @@ export function createThumb({ engine, store, act }, range) {
       const to = Number(Number(slider.value).toFixed(digits));
       act("act.parameter", (state) => withPoint(state, { [name]: to }), { merge: `lab ${name}` });
     });
-    slider.addEventListener("pointerdown", () => store.hold());
-    for (const end of ["pointerup", "pointercancel"]) slider.addEventListener(end, () => store.release());
     return { name, slider, value };
   });
   const show = () => {

@@ -20,8 +20,6 @@ export const words = {
   "lab.tab.M": "Multiplikatoren",
   "lab.tab.W": "Spektrum",
   "lab.cursor": "Eingriffsfrequenz Ω in beiden Bildern",
-  "lab.preset": "Ausgehen von",
-  "lab.figure": "Abbildung {id}",
   "lab.line": "Parameter",
   "lab.more": "Weitere Parameter",
   "lab.thumb": "Eingriffsfrequenz und Tiefe der Pulsation",

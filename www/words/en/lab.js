@@ -20,8 +20,6 @@ export const words = {
   "lab.tab.M": "Multipliers",
   "lab.tab.W": "Spectrum",
   "lab.cursor": "Mesh frequency Ω in both charts",
-  "lab.preset": "Start from",
-  "lab.figure": "figure {id}",
   "lab.line": "Parameters",
   "lab.more": "More parameters",
   "lab.thumb": "Mesh frequency and depth of the pulsation",
