@@ -96,10 +96,12 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
   .control { grid-template-rows: 2.75rem auto; }
   summary { min-block-size: 2.75rem; padding-block: 0.65rem; }
 }
-:host([fit]) { display: grid; grid-template-rows: minmax(0, 1fr) auto; }
+:host([fit]) { display: grid !important; grid-template-rows: minmax(0, 1fr) auto; position: relative; }
 :host([fit]) .stage { aspect-ratio: auto; min-block-size: 0; margin-inline: var(--inset-start, 0) var(--inset-end, 0); }
 :host([fit]) :is(.panel-place, .rows) { display: none; }
 :host([fit]) .bar { min-block-size: 1.5rem; margin: 0; }
+:host([fit]) .buttons button.reset, :host([fit]) .data:not([open]) { display: none; }
+:host([fit]) .status:not(.wrong) { display: none; }
 @media print {
   .bar, .panel-place, .data { display: none; }
 }
