@@ -21,7 +21,7 @@ const flag = (page) => page.locator(".lab .flag");
  * @param {Page} page
  * @param {string} [more]  What else the address says.
  */
-async function enter(page, more = "") {
+async function enter(page, more = "&v=1&preset=11c") {
   await page.goto(`./?test#lab${more}`);
   await expect(sentence(page)).toContainText(/Rest|response|Ruhe|Antwort/, { timeout: 30_000 });
 }
@@ -65,7 +65,7 @@ const facts = (page, id) => chart(page, id).evaluate(async (element) => (await /
 test("it opens at the paper's point and says what is so there", async ({ page }) => {
   await enter(page);
   await expect(sentence(page)).toContainText("Rest is a saddle");
-  await expect(sentence(page)).toContainText("settles on a stable orbit of period 2T, |u_p| up to 1.8515", { timeout: 20_000 });
+  await expect(sentence(page)).toContainText("settles on a stable orbit of period 2T, |up| up to 1.8515", { timeout: 20_000 });
   await expect(sentence(page)).toContainText("first-order theory says 3.", { timeout: 20_000 });
   await expect(flag(page)).toContainText("contact is not asked in this regime");
   for (const id of ["T", "B", "1", "U", "P", "M", "W"]) await expect(chart(page, id)).toBeVisible();

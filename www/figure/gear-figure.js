@@ -71,6 +71,8 @@ export class GearFigure extends HTMLElement {
   /** The parameter beside which an answer of the engine complains. @type {string | null} */
   #blamed = null;
   #questions = 0;
+  /** Its question waits until it is shown. */
+  #postponed = false;
   #announced = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #notice;
@@ -144,7 +146,7 @@ export class GearFigure extends HTMLElement {
    */
   async data() {
     await services;
-    if (this.#frame !== 0) this.#ask();
+    if (this.#frame !== 0 || this.#postponed) this.#ask(true);
     if (this.#computation === null) throw new Error("the figure is not in a document");
     return this.#computation.answer;
   }
@@ -258,7 +260,7 @@ export class GearFigure extends HTMLElement {
         engine.compute(id, given, {
           signal: ended,
           partial,
-          priority: this.inSight ? priority.shown : priority.hidden,
+          priority: this.inSight || this.#stands() ? priority.shown : priority.hidden,
           restarted: () => this.#say("The worker that computed this figure stopped; another has taken over."),
         }),
       show: (figure, complete) => this.#show(figure, complete),
@@ -363,10 +365,14 @@ export class GearFigure extends HTMLElement {
     if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#ask());
   }
 
-  #ask() {
+  /** @param {boolean} [wanted]  Somebody waits for the answer, seen or not. */
+  #ask(wanted = false) {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#questions += 1;
+    // What has no place on the page, in a view that is not shown, must not take time from what has.
+    this.#postponed = !wanted && this.clientWidth === 0;
+    if (this.#postponed) return;
     clearTimeout(this.#notice);
     this.#notice = setTimeout(() => this.#say("Computing…"), NOTICEABLE);
     this.#computation?.wish(this.#given);
@@ -391,8 +397,10 @@ export class GearFigure extends HTMLElement {
     this.#say(figure.notes.join(" "));
     this.#tabulate();
     // Twenty figures that all speak when the page opens are noise; one that answers its reader is not.
-    if (this.#questions > 1) this.#parts.heard.textContent = plain(figure.summary);
-    this.#parts.status.setAttribute("role", "status");
+    // Where it is one of several that answer together, whoever put them there speaks for all.
+    const together = this.hasAttribute("fit");
+    if (this.#questions > 1 && !together) this.#parts.heard.textContent = plain(figure.summary);
+    if (!together) this.#parts.status.setAttribute("role", "status");
     this.#tell(this.#announced ? "gear-change" : "gear-ready", { figure: figure.id, params: figure.params });
     this.#announced = true;
   }
@@ -428,8 +436,15 @@ export class GearFigure extends HTMLElement {
   /** @param {boolean} inSight */
   #see(inSight) {
     this.inSight = inSight;
+    if (inSight && this.#postponed) this.#ask();
     if (inSight && (this.#coarse || this.#computation?.busy)) this.#repaint();
     if (this.#clock) this.#clock.seen = inSight;
+  }
+
+  /** Whether it is on the screen by its place: the observer says so only after the next frame. */
+  #stands() {
+    const { width, top, bottom } = this.getBoundingClientRect();
+    return width > 0 && bottom > 0 && top < innerHeight;
   }
 
   #repaint() {

@@ -10,7 +10,7 @@
  * @property {GearFigure} figure
  */
 
-import { element, spoken } from "./dom.js";
+import { element, set } from "./dom.js";
 
 /** In the order in which they are read. @type {readonly ChartId[]} */
 export const CHARTS = Object.freeze(["T", "B", "1", "U", "P", "M", "W"]);
@@ -36,7 +36,7 @@ export function createCharts({ engine, store }) {
       figure.setAttribute("fit", "");
       const names = OVER_OMEGA.has(id) ? model.filter((name) => name !== "Omega") : model;
       store.share(figure.id, STARTING.has(id) ? [...names, ...START] : names);
-      const heading = spoken(element("h2", ""), `lab.chart.${id}`);
+      const heading = set(element("h2", ""), `lab.chart.${id}`);
       heading.id = `lab-${id}-name`;
       const place = element("section", `chart chart-${id}`, heading, figure);
       place.setAttribute("aria-labelledby", heading.id);

@@ -1,5 +1,6 @@
 /** Elements, and words that stay right when another language is spoken. */
 
+import { sentence as marked } from "../figure/markup.js";
 import { onLanguage, say } from "../words/say.js";
 
 /**
@@ -28,6 +29,21 @@ export function spoken(made, key) {
   const show = () => {
     made.textContent = say(key);
   };
+  show();
+  onLanguage(show);
+  return made;
+}
+
+/**
+ * The same with its quantities set as in formulas.
+ *
+ * @template {HTMLElement} Element
+ * @param {Element} made
+ * @param {string} key
+ * @returns {Element}
+ */
+export function set(made, key) {
+  const show = () => made.replaceChildren(marked(say(key)));
   show();
   onLanguage(show);
   return made;

@@ -7,6 +7,7 @@
  * @typedef {import("./charts.js").Chart} Chart
  */
 
+import { sentence as marked } from "../figure/markup.js";
 import { pointOf, withPoint, withPreset } from "../state.js";
 import { words } from "../words/en/lab.js";
 import { learn, number, onLanguage, say } from "../words/say.js";
@@ -162,7 +163,7 @@ class Laboratory {
     const refused = [...new Set(this.#refused.values())].join(" ");
     const found = this.#figures.size === 0 && refused !== "" ? "" : sentence(this.#figures);
     const said = [refused, found].filter((part) => part !== "").join(" ");
-    this.#sentence.textContent = said;
+    this.#sentence.replaceChildren(marked(said));
     this.#sentence.classList.toggle("wrong", refused !== "");
     const facts = this.#figures.get("U")?.facts;
     const flag = contact(facts);

@@ -75,17 +75,16 @@ const STYLE = `
 .lab .compare tr > :first-child { inline-size: 22%; color: var(--quiet); }
 .lab .compare canvas { display: block; inline-size: 100%; block-size: 11rem; }
 @media (min-width: 1100px) {
-  [data-view="lab"] .lab { grid-template-columns: minmax(0, 1.42fr) minmax(0, 1fr); }
+  [data-view="lab"] .lab { grid-template-columns: minmax(0, 1.28fr) minmax(0, 1fr); }
   .lab > * { grid-column: 1 / -1; }
   .lab .left { grid-column: 1; block-size: clamp(36rem, calc(100dvh - 15rem), 72rem); grid-auto-rows: minmax(0, 1fr); }
-  .lab .right { grid-column: 2; block-size: clamp(36rem, calc(100dvh - 15rem), 72rem); grid-template-columns: repeat(6, minmax(0, 1fr)); grid-template-rows: 1.15fr 1fr 1.15fr; }
+  .lab .right { grid-column: 2; block-size: clamp(36rem, calc(100dvh - 15rem), 72rem); grid-template-columns: repeat(6, minmax(0, 1fr)); grid-template-rows: 1fr 0.85fr 1.35fr; }
   .lab .right .chart { min-block-size: 0; }
-  .lab .chart-1 { grid-column: 1 / 4; }
-  .lab .chart-P { grid-column: 4 / 7; grid-row: 1; }
-  .lab .chart-U { grid-column: 1 / -1; grid-row: 2; }
-  .lab .chart-M { grid-column: 1 / 5; grid-row: 3; }
-  .lab .chart-W { grid-column: 4 / 7; grid-row: 3; }
-  .lab .chart-M { grid-column: 1 / 4; }
+  .lab .chart-1 { grid-area: 1 / 1 / 2 / -1; }
+  .lab .chart-U { grid-area: 2 / 1 / 3 / 5; }
+  .lab .chart-W { grid-area: 2 / 5 / 3 / 7; }
+  .lab .chart-P { grid-area: 3 / 1 / 4 / 4; }
+  .lab .chart-M { grid-area: 3 / 4 / 4 / 7; }
   .lab .tabs { display: none; }
 }
 @media (max-width: 1099.98px) {
