@@ -198,7 +198,7 @@ for (const [width, what] of /** @type {const} */ ([[320, "the narrowest screen"]
 test("the column is of a length that reads well", async ({ page }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await open(page);
-  const characters = await page.locator("#model > p").first().evaluate((paragraph) => {
+  const characters = await page.locator("#model p").first().evaluate((paragraph) => {
     const range = document.createRange();
     range.selectNodeContents(paragraph);
     const lines = new Set([...range.getClientRects()].map(({ bottom }) => Math.round(bottom / 12))).size;
