@@ -3,6 +3,7 @@
 //! | module | what lives there |
 //! |---|---|
 //! | [`error`] | one error enum a layer, variants carry the numbers |
+//! | [`order`] | sorting by a number |
 //! | [`numerics`] | algorithms that know no gears: integrators, Floquet, periodic orbits |
 //! | [`model`] | the gear pair: parameters, SI units, equations of motion |
 //! | [`theory`] | the paper's formulas, as printed and corrected |
@@ -17,6 +18,7 @@ pub mod error;
 pub mod figures;
 pub mod model;
 pub mod numerics;
+pub mod order;
 pub mod study;
 pub mod theory;
 #[cfg(target_arch = "wasm32")]

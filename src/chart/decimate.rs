@@ -26,13 +26,9 @@ pub fn decimate(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let own = column(&points[start]);
         let end = start + points[start..].iter().take_while(|point| column(point) == own).count();
         let by_height = |a: &usize, b: &usize| points[*a][1].total_cmp(&points[*b][1]);
-        let mut chosen = [
-            start,
-            (start..end).min_by(by_height).unwrap_or(start),
-            (start..end).max_by(by_height).unwrap_or(start),
-            end - 1,
-        ];
-        chosen.sort_unstable();
+        let lowest = (start..end).min_by(by_height).unwrap_or(start);
+        let highest = (start..end).max_by(by_height).unwrap_or(start);
+        let chosen = [start, lowest.min(highest), lowest.max(highest), end - 1];
         for (order, &index) in chosen.iter().enumerate() {
             if order == 0 || chosen[order - 1] != index {
                 kept.push(points[index]);

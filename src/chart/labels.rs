@@ -4,6 +4,7 @@ use super::geometry::Rect;
 use super::metrics::Face;
 use super::text::{Label, set};
 use super::theme::Color;
+use crate::order;
 
 /// Side of a cell of the map of ink, CSS pixels.
 const CELL: f64 = 3.0;
@@ -168,16 +169,16 @@ struct Candidate {
 pub fn place(requests: &[Request], crowd: &mut Crowd, within: &Rect) -> Vec<Placed> {
     let sums = crowd.sums();
     // What cannot move goes first, then what has few places to choose from.
-    let rank = |request: &Request| match request.anchor {
-        Anchor::Place(_) => 0,
-        Anchor::Mark(..) => 1,
-        Anchor::Curve(..) => 2,
-        Anchor::Area(..) => 3,
+    let rank = |request: &&Request| match request.anchor {
+        Anchor::Place(_) => 0.0,
+        Anchor::Mark(..) => 1.0,
+        Anchor::Curve(..) => 2.0,
+        Anchor::Area(..) => 3.0,
     };
-    let mut order: Vec<usize> = (0..requests.len()).collect();
-    order.sort_unstable_by_key(|&index| (rank(&requests[index]), index));
+    let mut in_turn: Vec<&Request> = requests.iter().collect();
+    order::by_number(&mut in_turn, rank);
     let mut placed = Vec::new();
-    for request in order.into_iter().map(|index| &requests[index]) {
+    for request in in_turn {
         for shrink in SHRINKS {
             let label = set(&request.markup, request.size * shrink, Face::Regular);
             let Some(best) = best_place(request, &label, crowd, &sums, within) else {

@@ -7,6 +7,7 @@ use super::metrics::Face;
 use super::svg::SIDES;
 use super::text::{Label, set, set_lines};
 use super::ticks::{Ticks, ticks};
+use crate::order;
 
 /// Length of tick marks, CSS pixels.
 pub const TICK: f64 = 4.0;
@@ -110,11 +111,12 @@ fn as_asked(drawing: &Drawing) -> Arrangement {
 
 /// The frames stacked in reading order, each as many rows high as it was.
 fn stacked(drawing: &Drawing) -> Arrangement {
-    let mut order: Vec<usize> = (0..drawing.frames.len()).collect();
-    order.sort_unstable_by_key(|&i| (drawing.frames[i].cell.1, drawing.frames[i].cell.0, i));
-    let mut places = vec![[0, 0, 1, 1]; order.len()];
+    let mut in_turn: Vec<usize> = (0..drawing.frames.len()).collect();
+    order::by_number(&mut in_turn, |&frame| drawing.frames[frame].cell.0 as f64);
+    order::by_number(&mut in_turn, |&frame| drawing.frames[frame].cell.1 as f64);
+    let mut places = vec![[0, 0, 1, 1]; in_turn.len()];
     let mut row = 0;
-    for frame in order {
+    for frame in in_turn {
         let high = drawing.frames[frame].span.1.max(1);
         places[frame] = [0, row, 1, high];
         row += high;

@@ -13,6 +13,7 @@ use super::surface::Surface;
 use super::theme::{Look, Theme};
 use super::three_d::Projection;
 use crate::error::ChartError;
+use crate::order;
 
 /// Distance between the lines of the hatch, CSS pixels.
 const HATCH: f64 = 7.0;
@@ -367,7 +368,7 @@ pub fn draw_solid<S: Surface>(
         };
         anchors.push(anchor);
     }
-    stretches.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    order::by_number(&mut stretches, |stretch| stretch.0);
     let mut start = 0;
     while start < stretches.len() {
         let owner = stretches[start].1;
@@ -379,7 +380,7 @@ pub fn draw_solid<S: Surface>(
         start = end;
     }
     // Marks lie on the curves: they come last, the nearest on top.
-    marks.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    order::by_number(&mut marks, |mark| mark.0);
     for (_, owner, center) in marks {
         let look = context.look(all[owner]);
         draw_marks(painter, all[owner], &look, &[center], context.theme, crowd)?;

@@ -131,7 +131,7 @@ fn panels(composer: &mut Composer, column: usize, title: &str, range: (f64, f64)
         [("Re", "Re *λ*", title, |value| value.0), ("Im", "Im *λ*", "", |value| value.1)];
     for (row, (name, label, title, part)) in parts.into_iter().enumerate() {
         let frame = composer.frame(plane(
-            &format!("{prefix}-{}", name.to_lowercase()),
+            &format!("{prefix}-{}", name.to_ascii_lowercase()),
             title,
             (column, row),
             axis("Omega_1", "*Ω*_{1}", range),

@@ -6,6 +6,7 @@ use super::job::Orbits;
 use crate::chart::drawing::{Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
+use crate::order;
 use crate::study::ErrorEstimate;
 use crate::study::branch::{Branch, BranchEvent, Breaks, EventKind};
 use crate::study::diagram::{Diagram, DiagramOptions, DiagramWork};
@@ -321,7 +322,7 @@ impl Exact {
     pub(super) fn draw_tori(&self, composer: &mut Composer, frame: usize) {
         let mut tori = self.tori.clone();
         tori.extend(self.births());
-        tori.sort_unstable_by(|one, other| one.omega.total_cmp(&other.omega));
+        order::by_number(&mut tori, |torus| torus.omega);
         for stable in [true, false] {
             let mut points = Points::default();
             points.piece(tori.iter().map(|torus| {

@@ -157,7 +157,7 @@ impl Pitchforks {
 
 fn capital(word: &str) -> String {
     let (first, rest) = word.split_at(1);
-    first.to_uppercase() + rest
+    first.to_ascii_uppercase() + rest
 }
 
 impl Part for Pitchforks {

@@ -18,6 +18,7 @@ use super::tongues::Setting;
 use crate::chart::drawing::Role;
 use crate::error::FigureError;
 use crate::model::parameters::{Parameters, Regime};
+use crate::order;
 use crate::study::ErrorEstimate;
 use crate::study::multipliers::{Multipliers, multipliers};
 use crate::theory::modes::Mode;
@@ -194,7 +195,7 @@ impl ExponentPaths {
             waiting.push(parameters.omega);
         }
         // Taken from the end: from low frequencies to high ones.
-        waiting.sort_unstable_by(|one, other| other.total_cmp(one));
+        order::descending(&mut waiting);
         waiting.dedup();
         let unloaded = Parameters {
             regime: Regime::Homogeneous,
@@ -218,7 +219,7 @@ impl ExponentPaths {
     }
 
     fn next_stage(&mut self) -> Result<(), FigureError> {
-        self.samples.sort_unstable_by(|one, other| one.omega.total_cmp(&other.omega));
+        order::by_number(&mut self.samples, |sample| sample.omega);
         match self.stage {
             Stage::Coarse => {
                 self.stage = Stage::Fine;
@@ -238,7 +239,7 @@ impl ExponentPaths {
                     }
                 }
                 self.refine();
-                self.waiting.sort_unstable_by(|one, other| other.total_cmp(one));
+                order::descending(&mut self.waiting);
                 if self.waiting.is_empty() {
                     self.stage = Stage::Done;
                 }
@@ -337,14 +338,14 @@ impl ExponentPaths {
     pub(super) fn kinds(&self) -> Vec<(f64, Kind)> {
         let mut kinds: Vec<(f64, Kind)> =
             self.samples.iter().map(|sample| (sample.omega, sample.kind)).collect();
-        kinds.sort_unstable_by(|one, other| one.0.total_cmp(&other.0));
+        order::by_number(&mut kinds, |kind| kind.0);
         kinds
     }
 
     /// The exponents joined from frequency to frequency, without folds: values may leave the strip.
     pub(super) fn tracks(&self) -> Vec<Track> {
         let mut samples: Vec<&Sample> = self.samples.iter().collect();
-        samples.sort_unstable_by(|one, other| one.omega.total_cmp(&other.omega));
+        order::by_number(&mut samples, |sample| sample.omega);
         let mut tracks: Vec<Track> = Vec::with_capacity(samples.len());
         for sample in samples {
             let expected = match tracks.len() {

@@ -6,6 +6,7 @@ use super::job::Figure;
 use super::tongues::split;
 use crate::chart::drawing::{Drawing, Frame, Mark, Role};
 use crate::model::parameters::Parameters;
+use crate::order;
 use crate::theory::damped::{
     combination_edges, combination_exponents, decay_rate, primary_edges, primary_exponents,
 };
@@ -266,7 +267,7 @@ impl ExponentPaths {
         for edge in edges.iter().filter(|edge| low < **edge && **edge < high) {
             frequencies.extend((0..9).map(|n| edge + (high - low) * 1e-3 * f64::from(n - 4)));
         }
-        frequencies.sort_unstable_by(f64::total_cmp);
+        order::ascending(&mut frequencies);
         let values: Vec<Vec<(f64, f64)>> =
             frequencies.into_iter().map(exponents).filter(|values| !values.is_empty()).collect();
         for index in 0..values.first().map_or(0, Vec::len) {

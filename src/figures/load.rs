@@ -6,6 +6,7 @@ use super::tongue_range::range;
 use crate::chart::drawing::{Drawing, Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::{Parameters, Regime};
+use crate::order;
 use crate::study::ErrorEstimate;
 use crate::study::contact::{ContactMargin, contact_margin, least_load};
 use crate::study::sweep::at_frequency;
@@ -80,9 +81,9 @@ impl Loads {
 
     fn loads(&self, composer: &mut Composer) {
         let mut samples = self.samples.clone();
-        samples.sort_unstable_by(|one, other| one.omega.total_cmp(&other.omega));
+        order::by_number(&mut samples, |sample| sample.omega);
         let mut all: Vec<f64> = samples.iter().filter_map(|sample| sample.load).collect();
-        all.sort_unstable_by(f64::total_cmp);
+        order::ascending(&mut all);
         let median = all.get(all.len() / 2).copied().unwrap_or(1.0);
         let most = all.last().copied().unwrap_or(1.0);
         let top = 1.15 * most.min(HIGHEST * median).max(1.2 * self.parameters.load).max(1e-3);

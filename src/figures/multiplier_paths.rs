@@ -7,6 +7,7 @@ use super::tongues::split;
 use crate::chart::drawing::{Drawing, Frame, Role};
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
+use crate::order;
 use crate::study::multipliers::{Multipliers, multipliers, unloaded};
 use std::f64::consts::TAU;
 
@@ -128,7 +129,7 @@ impl MultiplierPaths {
     /// The way of each multiplier as the mesh frequency goes through the neighbourhood of the present one.
     fn paths(&self, composer: &mut Composer, frame: usize) {
         let mut samples: Vec<&Sample> = self.near.iter().collect();
-        samples.sort_unstable_by(|one, other| one.0.total_cmp(&other.0));
+        order::by_number(&mut samples, |sample| sample.0);
         let mut tracks: [Vec<Place>; 6] = Default::default();
         let mut before: Option<[Place; 6]> = None;
         for (_, all) in samples {
@@ -159,7 +160,7 @@ impl MultiplierPaths {
     fn moduli(&self, composer: &mut Composer, frame: usize) {
         let mut samples: Vec<&Sample> = self.near.iter().chain(&self.far).collect();
         samples.retain(|sample| self.range.0 <= sample.0 && sample.0 <= self.range.1);
-        samples.sort_unstable_by(|one, other| one.0.total_cmp(&other.0));
+        order::by_number(&mut samples, |sample| sample.0);
         for index in 0..6 {
             // The n-th largest magnitude is a continuous function, whoever it belongs to.
             let track: Vec<Place> = samples

@@ -7,6 +7,7 @@ use super::tongues::Setting;
 use crate::chart::drawing::{Drawing, Frame, Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::{Parameters, Regime, Symmetric};
+use crate::order;
 use crate::study::ErrorEstimate;
 use crate::study::grid::Grid;
 use crate::study::multipliers::multipliers;
@@ -169,7 +170,7 @@ fn unexplained(chart: &StabilityChart, found: &[Found]) -> Vec<f64> {
         }
         column = end.max(column) + 1;
     }
-    stretches.sort_unstable_by_key(|stretch| std::cmp::Reverse(stretch.0));
+    order::by_number(&mut stretches, |stretch| -(stretch.0 as f64));
     stretches.into_iter().map(|stretch| stretch.1).collect()
 }
 

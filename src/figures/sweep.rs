@@ -6,6 +6,7 @@ use super::tongue_range::range;
 use crate::chart::drawing::{Drawing, Mark, Role};
 use crate::error::FigureError;
 use crate::model::parameters::{Parameters, Regime};
+use crate::order;
 use crate::study::ErrorEstimate;
 use crate::study::grid::Grid;
 use crate::study::sweep::{Direction, Sweep, SweepOptions, SweepWork};
@@ -129,7 +130,7 @@ impl Sweeps {
     /// Half the height of the frame: what nearly all points need. A few wild ones may lie outside of it.
     fn reach(&self) -> f64 {
         let mut all: Vec<f64> = self.ways.iter().flat_map(Way::points).map(|(_, u_p)| u_p.abs()).collect();
-        all.sort_unstable_by(f64::total_cmp);
+        order::ascending(&mut all);
         let most = all.last().copied().unwrap_or(0.0);
         let nearly = all.get(all.len() * 99 / 100).copied().unwrap_or(0.0);
         let reach = most.min(1.5 * nearly.max(0.1 * most));
@@ -209,7 +210,7 @@ impl Sweeps {
             })
             .map(|(omega, _)| *omega)
             .collect();
-        seen.sort_unstable_by(f64::total_cmp);
+        order::ascending(&mut seen);
         for omega in seen {
             match ranges.last_mut() {
                 Some(last) if omega - last.1 < 1.5 * step => last.1 = omega,

@@ -100,14 +100,18 @@ fn sorted(eigenvalues: &[Complex<f64>], scale: f64) -> Spectrum {
     let mut ordered = [Complex::new(0.0, 0.0); 6];
     ordered.copy_from_slice(eigenvalues);
     // The two of a pair have the same modulus to the last bit, so that they stay together.
-    ordered.sort_unstable_by(|left, right| {
-        right
-            .norm()
-            .total_cmp(&left.norm())
-            .then(right.im.abs().total_cmp(&left.im.abs()))
-            .then(right.im.total_cmp(&left.im))
-            .then(right.re.total_cmp(&left.re))
-    });
+    let key = |value: &Complex<f64>| [value.norm(), value.im.abs(), value.im, value.re];
+    // Six are sorted soonest by moving each to its place.
+    for end in 1..ordered.len() {
+        for place in (1..=end).rev() {
+            let (left, right) = (key(&ordered[place - 1]), key(&ordered[place]));
+            let unlike = (0..4).find(|index| left[*index].total_cmp(&right[*index]).is_ne());
+            if unlike.is_none_or(|index| left[index].total_cmp(&right[index]).is_gt()) {
+                break;
+            }
+            ordered.swap(place - 1, place);
+        }
+    }
     Spectrum { re: ordered.map(|value| value.re * scale), im: ordered.map(|value| value.im * scale) }
 }
 

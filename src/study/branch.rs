@@ -20,6 +20,7 @@ use crate::numerics::continuation::symmetry::Space;
 use crate::numerics::continuation::{Family, Kind, Path, Scale, State};
 use crate::numerics::newton;
 use crate::numerics::periodic::fixed_point;
+use crate::order;
 
 /// What happens at a point of a branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -384,7 +385,7 @@ fn by_bifurcations(
             }
         }
         let distance = |point: &Point| (point.at[6] * bounds.scale.parameter - value).abs();
-        births.sort_unstable_by(|left, right| distance(&left.1).total_cmp(&distance(&right.1)));
+        order::by_number(&mut births, |birth| distance(&birth.1));
         for (birth, at) in births {
             let reached = birth.path.period();
             if reached > period || !period.is_multiple_of(reached) {

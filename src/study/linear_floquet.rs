@@ -11,6 +11,7 @@ use crate::model::parameters::Parameters;
 use crate::numerics::characteristic::{self, Characteristic, Factors, Top};
 use crate::numerics::parametric::Parametric;
 use crate::numerics::roots::bracketed_root;
+use crate::order;
 use std::cell::Cell;
 use std::f64::consts::PI;
 
@@ -153,7 +154,7 @@ impl LinearFloquet {
             Coupled::Three(system) => (&system.stiffness, &system.coupling),
         };
         let mut poles: Vec<[f64; 2]> = stiffness.iter().zip(coupling).map(|(s, b)| [*s, b * b]).collect();
-        poles.sort_unstable_by(|left, right| left[0].total_cmp(&right[0]));
+        order::by_number(&mut poles, |pole| pole[0]);
         let above: f64 = poles.iter().map(|pole| pole[1]).sum();
         // Times all s_i - sigma, so that it is a polynomial.
         let secular = |sigma: f64| {

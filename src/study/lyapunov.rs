@@ -11,6 +11,7 @@ use crate::model::variational::{SIZE, Variational};
 use crate::numerics::birkhoff;
 use crate::numerics::lyapunov::Framed;
 use crate::numerics::ode::taylor::Options;
+use crate::order;
 
 /// Most periods over which exponents are taken.
 pub const MOST_PERIODS: usize = 100_000;
@@ -150,7 +151,7 @@ fn evaluate(pair: &GearPair, state: [f64; 6], series: &[Vec<f64>; 6]) -> Lyapuno
     let mut exponents: [f64; 6] =
         std::array::from_fn(|i| if by_weights { weighted(&series[i]) } else { plain(&series[i]) });
     let sum: f64 = exponents.iter().sum();
-    exponents.sort_unstable_by(|left, right| right.total_cmp(left));
+    order::descending(&mut exponents);
     let mean = if by_weights { "weighted Birkhoff averages" } else { "plain averages" };
     let step = spreads[0].min(spreads[1]);
     Lyapunov {

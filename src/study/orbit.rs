@@ -330,7 +330,9 @@ fn period_two_guesses(p: &Parameters) -> Vec<[f64; 6]> {
     let centre = trivial_state(p);
     let mut order = [Mode::Second, Mode::Third];
     let detuning = |mode: &Mode| (p.omega - 2.0 * modes.frequency(*mode)).abs();
-    order.sort_unstable_by(|left, right| detuning(left).total_cmp(&detuning(right)));
+    if detuning(&order[1]) < detuning(&order[0]) {
+        order.reverse();
+    }
     let mut guesses = Vec::new();
     for mode in order {
         let Ok(orbits) = theory::period_two(&symmetric, mode) else { continue };

@@ -3,11 +3,12 @@
 use crate::rust_tokens::{Token, tokens};
 use std::collections::BTreeSet;
 
-/// The layers, each with the layers it may name besides `error`. A path means only that part of the layer.
+/// The layers, each with the layers it may name besides `error` and `order`, which everyone may. A path means only that part of the layer.
 ///
 /// `web` draws onto the canvas and therefore knows `chart`; nobody knows `web`.
-const ARROWS: [(&str, &[&str]); 8] = [
+const ARROWS: [(&str, &[&str]); 9] = [
     ("error", &[]),
+    ("order", &[]),
     ("numerics", &[]),
     ("model", &["numerics"]),
     ("theory", &["model::parameters"]),
@@ -80,7 +81,7 @@ fn objection(file: &str, layer: &str, path: &[String], interfaces: &BTreeSet<Str
     {
         return Some("the table of parameters knows only error".to_owned());
     }
-    if target == layer || target == "error" {
+    if target == layer || target == "error" || target == "order" {
         return None;
     }
     let (_, allowed) = ARROWS.iter().find(|(name, _)| *name == layer)?;

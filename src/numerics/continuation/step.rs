@@ -6,6 +6,7 @@ use super::predictor::{self, Knot, MOST};
 use super::symmetry::{Group, Space};
 use super::{Family, Path, Scale, State, dot, minus, norm, unit};
 use crate::error::NumericsError;
+use crate::order;
 
 /// How a branch is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -316,7 +317,7 @@ impl Trace {
             for (order, located) in found.into_iter().enumerate() {
                 self.found.push((if order < left_of_it { place - 1 } else { place }, located));
             }
-            self.found.sort_unstable_by(|a, b| a.1.point.arc.total_cmp(&b.1.point.arc));
+            order::by_number(&mut self.found, |(_, located)| located.point.arc);
             self.points.insert(place, point);
             self.smooth += 1;
         }

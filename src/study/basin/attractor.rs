@@ -5,6 +5,7 @@ use crate::error::StudyError;
 use crate::model::equations::GearPair;
 use crate::numerics::contraction::Ellipsoid;
 use crate::numerics::floquet::Spectrum;
+use crate::order;
 use crate::study::motion;
 use crate::study::multipliers::{Budget, image};
 use crate::study::settling::{LONGEST, size, stable_orbit};
@@ -355,6 +356,6 @@ fn spacing(points: &[[f64; 6]]) -> f64 {
             others.map(|(_, other)| largest_difference(point, other)).fold(f64::INFINITY, f64::min)
         })
         .collect();
-    nearest.sort_unstable_by(f64::total_cmp);
+    order::ascending(&mut nearest);
     2.0 * nearest[(nearest.len() * 98 / 100).min(nearest.len() - 1)]
 }

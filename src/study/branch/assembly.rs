@@ -7,6 +7,7 @@ use crate::numerics::continuation::step::{End, Trace};
 use crate::numerics::continuation::switch::{self, Birth, Nature};
 use crate::numerics::continuation::{Family, Path, Scale};
 use crate::numerics::floquet::{self, Spectrum};
+use crate::order;
 use crate::study::ErrorEstimate;
 use crate::study::family::{GearFamily, SWAP};
 
@@ -55,7 +56,7 @@ pub(crate) fn assemble(
         ends[0] = BranchEnd::BornFrom { period };
         events.push((0.0, (event(family, scale, nature, point, None), None, None)));
     }
-    events.sort_unstable_by(|left, right| left.0.total_cmp(&right.0));
+    order::by_number(&mut events, |event| event.0);
     let mut points: Vec<(f64, Point)> = Vec::with_capacity(backwards.points.len() + forwards.points.len());
     points.extend(backwards.points.iter().skip(1).rev().map(|point| (-point.arc, *point)));
     points.extend(forwards.points.iter().map(|point| (point.arc, *point)));
