@@ -8,13 +8,12 @@ use crate::model::parameters::{Parameters, Regime};
 use crate::study::ErrorEstimate;
 use crate::study::tongue::{Tongue, TongueEdges, tongue_edges};
 use crate::theory::modes::{Mode, Modes};
-use std::fmt;
 
 /// Tolerance of the tongues' edges.
 const EDGES: f64 = 1e-9;
 
 /// The exact part of a figure.
-pub(super) trait Part: fmt::Debug {
+pub(super) trait Part {
     /// Does the next slice of the work; true once there is nothing more to do.
     ///
     /// # Errors
@@ -29,7 +28,6 @@ pub(super) trait Part: fmt::Debug {
 }
 
 /// A figure of formulas with its exact part in the making.
-#[derive(Debug)]
 pub(super) struct Beside {
     formulas: Figure,
     part: Box<dyn Part>,

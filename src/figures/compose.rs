@@ -1,4 +1,6 @@
 //! Small tools to put a drawing together: frames, series, pieces of curves.
+//!
+//! They are called hundreds of times, and seldom: what is not inlined is compiled once.
 
 use crate::chart::drawing::{Axis, Drawing, Frame, Mark, Role, Series};
 
@@ -9,11 +11,13 @@ pub(super) struct Composer {
 }
 
 /// An axis from its ASCII name, its label in markup, and its ends.
+#[inline(never)]
 pub(super) fn axis(name: &str, label: &str, (low, high): (f64, f64)) -> Axis {
     Axis { name: name.to_owned(), label: label.to_owned(), low, high }
 }
 
 /// A plane frame with both axes in one cell.
+#[inline(never)]
 pub(super) fn plane(name: &str, title: &str, cell: (usize, usize), x: Axis, y: Axis) -> Frame {
     Frame {
         name: name.to_owned(),
@@ -41,12 +45,14 @@ impl Composer {
     }
 
     /// Adds a frame and answers its index.
+    #[inline(never)]
     pub(super) fn frame(&mut self, frame: Frame) -> usize {
         self.drawing.frames.push(frame);
         self.drawing.frames.len() - 1
     }
 
     /// Adds a series of plane points, unless it has none.
+    #[inline(never)]
     pub(super) fn add(&mut self, frame: usize, mark: Mark, line: Line, points: Points) {
         if points.x.is_empty() {
             return;
@@ -68,11 +74,13 @@ impl Composer {
     }
 
     /// Adds a connected line.
+    #[inline(never)]
     pub(super) fn curve(&mut self, frame: usize, line: Line, points: Points) {
         self.add(frame, Mark::Curve, line, points);
     }
 
     /// Adds single marks.
+    #[inline(never)]
     pub(super) fn marks(&mut self, frame: usize, line: Line, points: Points) {
         self.add(frame, Mark::Marks, line, points);
     }
@@ -84,6 +92,7 @@ impl Composer {
     }
 
     /// Writes words at a point.
+    #[inline(never)]
     pub(super) fn text(&mut self, frame: usize, name: &str, words: &str, at: (f64, f64)) {
         let line = Line::new(name, words, Role::Reference).label(words, 0.5);
         self.add(frame, Mark::Text, line, Points::one(at));
@@ -113,6 +122,7 @@ impl Line {
     }
 
     /// The same under a name with this at its end, and without its label: for a second view of the same thing.
+    #[inline(never)]
     pub(super) fn renamed(mut self, suffix: &str) -> Self {
         self.name.push_str(suffix);
         self.label = None;
@@ -120,12 +130,14 @@ impl Line {
     }
 
     /// With its stability.
+    #[inline(never)]
     pub(super) fn stable(mut self, stable: bool) -> Self {
         self.stable = Some(stable);
         self
     }
 
     /// With a label at a fraction 0..1 of its points.
+    #[inline(never)]
     pub(super) fn label(mut self, label: &str, at: f64) -> Self {
         self.label = Some(label.to_owned());
         self.label_at = at;
@@ -166,24 +178,14 @@ impl Points {
     pub(super) fn piece(&mut self, points: impl IntoIterator<Item = (f64, f64)>) {
         let mut open = false;
         for (x, y) in points {
-            if !(x.is_finite() && y.is_finite()) {
-                open = false;
-                continue;
-            }
-            if !open {
-                self.pieces.push(self.x.len());
-                open = true;
-            }
-            self.x.push(x);
-            self.y.push(y);
+            self.push(&mut open, [x, y]);
         }
     }
 
     /// Adds points that belong to no piece; those that are not finite are left out.
     pub(super) fn cloud(&mut self, points: impl IntoIterator<Item = (f64, f64)>) {
-        for (x, y) in points.into_iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
-            self.x.push(x);
-            self.y.push(y);
+        for (x, y) in points {
+            self.push(&mut true, [x, y]);
         }
     }
 
@@ -191,22 +193,31 @@ impl Points {
     pub(super) fn piece_in_space(&mut self, points: impl IntoIterator<Item = (f64, f64, f64)>) {
         let mut open = false;
         for (x, y, z) in points {
-            if !(x.is_finite() && y.is_finite() && z.is_finite()) {
-                open = false;
-                continue;
+            if self.push(&mut open, [x, if z.is_finite() { y } else { z }]) {
+                self.z.push(z);
             }
-            if !open {
-                self.pieces.push(self.x.len());
-                open = true;
-            }
-            self.x.push(x);
-            self.y.push(y);
-            self.z.push(z);
         }
+    }
+
+    /// Adds a point; whether it is finite. One that is not closes the piece, one that finds none open begins it.
+    #[inline(never)]
+    fn push(&mut self, open: &mut bool, [x, y]: [f64; 2]) -> bool {
+        if !(x.is_finite() && y.is_finite()) {
+            *open = false;
+            return false;
+        }
+        if !*open {
+            self.pieces.push(self.x.len());
+            *open = true;
+        }
+        self.x.push(x);
+        self.y.push(y);
+        true
     }
 
     /// The same points shifted into space by a third coordinate of zero between the two: `(x, 0, y)` or
     /// `(x, y, 0)`.
+    #[inline(never)]
     pub(super) fn lifted(&self, upright: bool) -> Self {
         let zero = vec![0.0; self.x.len()];
         let (y, z) = if upright { (zero, self.y.clone()) } else { (self.y.clone(), zero) };

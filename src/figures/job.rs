@@ -172,7 +172,6 @@ pub struct Motion {
 }
 
 /// A figure in the making. Each [`Job::advance`] does a slice of the work; [`Job::figure`] is the picture so far.
-#[derive(Debug)]
 pub struct Job {
     specification: &'static Specification,
     parameters: Parameters,
@@ -180,7 +179,13 @@ pub struct Job {
     work: Work,
 }
 
-#[derive(Debug)]
+/// By its name alone: what it holds would bring words for everything that is computed anywhere into the module.
+impl fmt::Debug for Job {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Job").field("id", &self.specification.id).finish_non_exhaustive()
+    }
+}
+
 enum Work {
     /// Nothing done yet of what is done at once.
     Waiting,
@@ -191,7 +196,7 @@ enum Work {
 }
 
 /// A figure that is computed step by step.
-pub(super) trait Slices: fmt::Debug {
+pub(super) trait Slices {
     /// Does the next slice of the work, some milliseconds; `true` once there is nothing more to do.
     ///
     /// # Errors
