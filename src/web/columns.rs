@@ -1,4 +1,6 @@
 //! Results on their way to JavaScript: plain objects with `Float64Array` columns, and no number that is not finite.
+//!
+//! What fills them is called hundreds of times, and seldom: what is not inlined is compiled once.
 
 use wasm_bindgen::JsValue;
 use web_sys::js_sys::{Array, Float64Array, Object, Uint32Array};
@@ -23,12 +25,18 @@ impl Record {
     /// Any value.
     #[must_use]
     pub fn value(self, name: &str, value: impl Into<JsValue>) -> Self {
-        values::set(&self.object, name, &value.into());
+        self.put(name, value.into())
+    }
+
+    #[inline(never)]
+    fn put(self, name: &str, value: JsValue) -> Self {
+        values::set(&self.object, name, &value);
         self
     }
 
     /// A number.
     #[must_use]
+    #[inline(never)]
     pub fn number(mut self, name: &str, number: f64) -> Self {
         self.check(name, &[number]);
         self.value(name, number)
@@ -36,6 +44,7 @@ impl Record {
 
     /// A number, or null.
     #[must_use]
+    #[inline(never)]
     pub fn optional(self, name: &str, number: Option<f64>) -> Self {
         match number {
             Some(number) => self.number(name, number),
@@ -45,6 +54,7 @@ impl Record {
 
     /// A column as a `Float64Array`.
     #[must_use]
+    #[inline(never)]
     pub fn column(mut self, name: &str, numbers: &[f64]) -> Self {
         self.check(name, numbers);
         self.value(name, Float64Array::new_from_slice(numbers))
@@ -52,6 +62,7 @@ impl Record {
 
     /// Whole numbers as a `Uint32Array`.
     #[must_use]
+    #[inline(never)]
     pub fn indices(self, name: &str, indices: &[usize]) -> Self {
         let indices: Vec<u32> =
             indices.iter().map(|index| u32::try_from(*index).unwrap_or(u32::MAX)).collect();
@@ -60,6 +71,7 @@ impl Record {
 
     /// The six coordinates of states, each a column of its own.
     #[must_use]
+    #[inline(never)]
     pub fn states(mut self, states: &[[f64; 6]]) -> Self {
         const NAMES: [&str; 6] = ["u_p", "u_g", "u", "u_p_dot", "u_g_dot", "u_dot"];
         let mut column = Vec::with_capacity(states.len());
@@ -73,6 +85,7 @@ impl Record {
 
     /// Another record; what is not finite in it is not finite in this one.
     #[must_use]
+    #[inline(never)]
     pub fn record(mut self, name: &str, inner: Self) -> Self {
         if let (None, Some(within)) = (&self.not_finite, &inner.not_finite) {
             self.not_finite = Some(format!("{name}.{within}"));
@@ -105,6 +118,7 @@ impl Record {
 
     /// A pair of numbers as an array.
     #[must_use]
+    #[inline(never)]
     pub fn pair(mut self, name: &str, pair: (f64, f64)) -> Self {
         self.check(name, &[pair.0, pair.1]);
         self.value(name, Array::of2(&pair.0.into(), &pair.1.into()))
@@ -112,6 +126,7 @@ impl Record {
 
     /// How it was computed and how far to trust it: part of every result.
     #[must_use]
+    #[inline(never)]
     pub fn provenance(self, method: &str, error: &ErrorEstimate) -> Self {
         let mut estimates = Self::new();
         for (name, estimate) in
@@ -128,6 +143,7 @@ impl Record {
     ///
     /// # Errors
     /// `internal`, naming the first number that is not finite.
+    #[inline(never)]
     pub fn finish(self) -> Result<JsValue, WebError> {
         match self.not_finite {
             None => Ok(self.object.into()),

@@ -8,6 +8,7 @@ use web_sys::js_sys::{Float64Array, Object, Reflect, Uint32Array};
 use crate::web::errors::{Given, WebError, number_words};
 
 /// Sets a property of an object of our own making; that cannot fail.
+#[inline(never)]
 pub fn set(object: &Object, name: &str, value: &JsValue) {
     let _ = Reflect::set(object, &name.into(), value);
 }
