@@ -65,6 +65,11 @@ export class Pool {
   #tickets = 0;
   /** Until every figure has its first picture no computation goes beyond it, so that drawing has the processor. */
   #firstPictures = true;
+  #tellReady = () => {};
+  /** When the module runs in the first worker. @type {Promise<void>} */
+  ready = new Promise((resolve) => {
+    this.#tellReady = resolve;
+  });
   /** Answers that came for computations nobody waits for any more. */
   dropped = 0;
   /** Workers that were replaced. */
@@ -188,6 +193,7 @@ export class Pool {
     if (message.type === "ready") {
       seat.ready = true;
       seat.deaths = 0;
+      this.#tellReady();
     }
     if (message.type === "ready" || message.type === "pong") return;
     if (message.type === "step") {
