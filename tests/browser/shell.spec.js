@@ -174,6 +174,27 @@ test("German is complete on the page, is kept, and gives way to English again", 
   expect(await page.evaluate(() => document.querySelector("h1")?.innerHTML)).toBe(heading);
 });
 
+test("the projector mode shows keys and touches, in large type, and takes them away again", async ({ page }) => {
+  await open(page);
+  const size = () => page.evaluate(() => Number.parseFloat(getComputedStyle(document.documentElement).fontSize));
+  const before = await size();
+  await page.keyboard.press("p");
+  await expect(page.locator(".shown-keys")).toBeAttached();
+  expect(await size()).toBeGreaterThan(1.2 * before);
+  await page.keyboard.down("ArrowDown");
+  await expect(page.locator(".shown-keys kbd").last()).toHaveText("↓");
+  await page.keyboard.up("ArrowDown");
+  await page.mouse.move(200, 300);
+  await page.mouse.down();
+  await expect(page.locator(".shown-touch")).toBeVisible();
+  await page.mouse.up();
+  await expect(page.locator(".shown-touch")).toHaveCount(0);
+  await expect(page.locator(".shown-keys kbd")).toHaveCount(0);
+  await page.keyboard.press("p");
+  await expect(page.locator(".shown-keys")).toHaveCount(0);
+  expect(await size()).toBe(before);
+});
+
 test("a place in the story keeps what was changed, and back returns from it", async ({ page }) => {
   await open(page, "./?test#story&v=1&4.k=6");
   expect((await data(page, "4")).params.k_p).toBe(6);

@@ -4,7 +4,7 @@
 
 import { keyName, keyWords } from "./keys.js";
 
-/** How long a key stays to be read, ms. */
+/** How long a key stays to be read after it was let go, ms. */
 const READ = 1600;
 /** Keys that say nothing by themselves. */
 const HALF = new Set(["Control", "Shift", "Alt", "Meta", "AltGraph", "CapsLock", "Dead", "Unidentified"]);
@@ -28,6 +28,8 @@ export function showHands() {
   // What is pressed is known to who presses it.
   keys.setAttribute("aria-hidden", "true");
   document.body.append(keys);
+  /** @type {HTMLElement[]} */
+  const held = [];
   /** @type {Map<number, HTMLElement>} */
   const touches = new Map();
   const life = new AbortController();
@@ -38,12 +40,19 @@ export function showHands() {
     // What is written into a box stands there.
     const target = event.composedPath()[0];
     if (target instanceof HTMLInputElement && target.type === "text" && event.key.length === 1 && !event.ctrlKey) return;
+    if (event.repeat) return;
     const name = keyName(event);
     const key = document.createElement("kbd");
     key.textContent = SIGNS[name] === undefined ? keyWords(name) : SIGNS[name];
     keys.append(key);
-    setTimeout(() => key.remove(), READ);
+    held.push(key);
   }, options);
+  // Which key is let go is not always told: then it counts for all of them.
+  const release = () => {
+    for (const key of held.splice(0)) setTimeout(() => key.remove(), READ);
+  };
+  addEventListener("keyup", release, options);
+  addEventListener("blur", release, options);
   addEventListener("pointerdown", (event) => {
     const ring = document.createElement("div");
     ring.className = "shown-touch";
