@@ -22,6 +22,7 @@
  */
 
 import { elements, plain } from "../figure/markup.js";
+import { spoken } from "../words/engine.js";
 import { judge, rangeOf, writeNumber } from "./number.js";
 import { place, stepped, track, valueAt } from "./scale.js";
 
@@ -47,13 +48,13 @@ export function createControl(info, value, hooks) {
 function numberControl(info, value, hooks) {
   const { element, label, help, complaint } = frame(info.name, elements(info.symbol));
   const name = plain(info.symbol);
-  help.append(`${info.meaning}; `, span("range", rangeOf(info)));
+  help.append(`${spoken(info.meaning)}; `, span("range", rangeOf(info)));
 
   const slider = document.createElement("input");
   slider.type = "range";
   const { min, max, step } = track(info);
   Object.assign(slider, { min: String(min), max: String(max), step: String(step) });
-  slider.setAttribute("aria-label", `${name}, ${info.meaning}`);
+  slider.setAttribute("aria-label", `${name}, ${spoken(info.meaning)}`);
 
   const box = document.createElement("input");
   Object.assign(box, { type: "text", inputMode: "decimal", autocomplete: "off", spellcheck: false, id: `${info.name}-box` });
@@ -150,7 +151,7 @@ function says(info, text, value) {
 function choiceControl(info, value, hooks) {
   const { element, label, help, complaint } = frame(info.name, document.createTextNode(info.name));
   element.classList.add("choice");
-  help.append(info.meaning);
+  help.append(spoken(info.meaning));
   const select = document.createElement("select");
   select.id = `${info.name}-box`;
   for (const choice of info.choices) select.append(new Option(choice, choice, false, choice === value));

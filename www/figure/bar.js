@@ -6,13 +6,14 @@
  * @typedef {import("./turning.js").Turning} Turning
  */
 
+import { say } from "../words/say.js";
 import { button } from "./shadow.js";
 
 const ARROWS = /** @type {const} */ ([
-  ["←", "Turn left", "ArrowLeft"],
-  ["→", "Turn right", "ArrowRight"],
-  ["↑", "Look from higher up", "ArrowUp"],
-  ["↓", "Look from lower down", "ArrowDown"],
+  ["←", "figure.turn-left", "ArrowLeft"],
+  ["→", "figure.turn-right", "ArrowRight"],
+  ["↑", "figure.higher", "ArrowUp"],
+  ["↓", "figure.lower", "ArrowDown"],
 ]);
 
 /**
@@ -24,26 +25,26 @@ export function createButtons({ clock, turning, reset }) {
   const buttons = [];
   let showPlaying = () => {};
   if (clock !== null) {
-    const play = button("Pause", "Pause", () => {
+    const play = button(say("figure.pause"), say("figure.pause"), () => {
       if (clock.playing) clock.pause();
       else clock.play();
       showPlaying();
     });
     showPlaying = () => {
-      play.textContent = clock.playing ? "Pause" : "Play";
+      play.textContent = say(clock.playing ? "figure.pause" : "figure.play");
       play.removeAttribute("aria-label");
     };
     play.classList.add("play");
     buttons.push(play);
   }
   if (turning !== null) {
-    for (const [sign, words, key] of ARROWS) {
-      const arrow = button(sign, words, () => turning.press(key));
+    for (const [sign, word, key] of ARROWS) {
+      const arrow = button(sign, say(word), () => turning.press(key));
       arrow.classList.add("arrow");
       buttons.push(arrow);
     }
   }
-  const back = button("Reset", "Reset", reset);
+  const back = button(say("figure.reset"), say("figure.reset"), reset);
   back.classList.add("reset");
   buttons.push(back);
   return { buttons, showPlaying };

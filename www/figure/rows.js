@@ -5,6 +5,7 @@
  * @typedef {import("../engine/gear-bifurcations.js").TableRow} TableRow
  */
 
+import { number, say } from "../words/say.js";
 import { elements } from "./markup.js";
 
 /** Digits of a number in the table. */
@@ -14,7 +15,7 @@ const FEW = 2;
 /** Differences below this are rounding. */
 const ROUNDING = 1e-12;
 
-const HEADS = ["", "where", "what", "printed", "corrected", "exact", "printed − exact", "corrected − exact", "how it is known"];
+const HEADS = ["line", "where", "what", "printed", "corrected", "exact", "printed-off", "corrected-off", "known"];
 
 /**
  * Puts the rows into their place; those that are there already stay as they are, so that a reader's place is kept.
@@ -67,11 +68,12 @@ function begin(place, title) {
   const table = document.createElement("table");
   table.createCaption().textContent = title;
   const head = table.createTHead().insertRow();
-  for (const words of HEADS) {
+  for (const name of HEADS) {
     const cell = document.createElement("th");
     cell.scope = "col";
-    cell.textContent = words;
-    if (words === "") cell.setAttribute("aria-label", "line");
+    const words = say(`rows.${name}`);
+    if (name === "line") cell.setAttribute("aria-label", words);
+    else cell.textContent = words;
     head.append(cell);
   }
   table.createTBody();
@@ -118,5 +120,5 @@ function line(row, number) {
  * @param {number} digits
  */
 function written(value, digits) {
-  return String(Number(value.toPrecision(digits))).replaceAll("-", "−");
+  return number(Number(value.toPrecision(digits)));
 }

@@ -7,6 +7,7 @@
  * @typedef {{name: string, label: string, values: ArrayLike<number>}} Column
  */
 
+import { number, say } from "../words/say.js";
 import { elements, plain, sentence } from "./markup.js";
 
 /** Rows in all tables of a figure together. */
@@ -29,12 +30,12 @@ export function showTables(details, figure) {
   const words = document.createElement("p");
   words.append(sentence(figure.summary));
   const method = document.createElement("p");
-  method.append("Method: ", sentence(figure.method));
+  method.append(say("table.method"), " ", sentence(figure.method));
   const scroll = document.createElement("div");
   // A region that scrolls must be reachable by keys.
   scroll.tabIndex = 0;
   scroll.setAttribute("role", "region");
-  scroll.setAttribute("aria-label", "Numbers of the figure");
+  scroll.setAttribute("aria-label", say("table.numbers"));
   scroll.append(...tables(figure));
   for (const old of [...details.children].slice(1)) old.remove();
   details.append(words, method, scroll);
@@ -53,7 +54,7 @@ function tables(figure) {
       { name: "u_g", label: "*u*_{g}", values: u_g },
       { name: "u", label: "*u*", values: u },
     ];
-    return [table("The motion that is shown", columns, ROWS)];
+    return [table(say("table.motion"), columns, ROWS)];
   }
   const told = figure.series.filter(
     ({ role, mark, columns }) => !SHAPES.has(role) && !["text", "band", "field"].includes(mark) && columns.x.length > 0,
@@ -90,7 +91,7 @@ function table(title, columns, rows) {
   const count = columns[0].values.length;
   const shown = Math.min(count, rows);
   const caption = made.createCaption();
-  caption.append(sentence(shown < count ? `${title}: ${shown} of ${count} points` : title));
+  caption.append(sentence(shown < count ? say("table.some", { title, shown, count }) : title));
   const head = made.createTHead().insertRow();
   for (const { label } of columns) {
     const cell = document.createElement("th");
@@ -110,5 +111,5 @@ function table(title, columns, rows) {
 
 /** @param {number} value */
 function inTable(value) {
-  return String(Number(value.toPrecision(DIGITS))).replaceAll("-", "−");
+  return number(Number(value.toPrecision(DIGITS)));
 }
