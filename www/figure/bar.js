@@ -17,13 +17,20 @@ const ARROWS = /** @type {const} */ ([
 ]);
 
 /**
- * @param {{clock: Clock | null, turning: Turning | null, reset: () => void}} wiring
- * @returns {{buttons: HTMLButtonElement[], showPlaying: () => void}}
+ * @param {{clock: Clock | null, turning: Turning | null, reset: () => void, stop: () => void}} wiring
+ * @returns {{buttons: HTMLButtonElement[], showPlaying: () => void, showBusy: (busy: boolean) => void}}
  */
-export function createButtons({ clock, turning, reset }) {
+export function createButtons({ clock, turning, reset, stop }) {
   /** @type {HTMLButtonElement[]} */
   const buttons = [];
   let showPlaying = () => {};
+  const end = button(say("figure.stop"), say("figure.stop"), stop);
+  end.classList.add("stop");
+  end.hidden = true;
+  buttons.push(end);
+  const showBusy = (/** @type {boolean} */ busy) => {
+    end.hidden = !busy;
+  };
   if (clock !== null) {
     const play = button(say("figure.pause"), say("figure.pause"), () => {
       if (clock.playing) clock.pause();
@@ -47,5 +54,5 @@ export function createButtons({ clock, turning, reset }) {
   const back = button(say("figure.reset"), say("figure.reset"), reset);
   back.classList.add("reset");
   buttons.push(back);
-  return { buttons, showPlaying };
+  return { buttons, showPlaying, showBusy };
 }

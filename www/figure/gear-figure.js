@@ -17,6 +17,8 @@
  */
 
 import { createPanel } from "../controls/panel.js";
+import { spoken, spokenFigure } from "../words/engine.js";
+import { onLanguage, say } from "../words/say.js";
 import { coarseDensity, density, onAppearance, resolveTheme, wantsStill } from "./appearance.js";
 import { givenByAttributes } from "./attributes.js";
 import { createButtons } from "./bar.js";
@@ -51,8 +53,10 @@ export class GearFigure extends HTMLElement {
   #services = null;
   /** @type {FigureInfo | null} */
   #info = null;
-  /** @type {Figure | null} */
+  /** As it is shown, in the language of the page. @type {Figure | null} */
   #figure = null;
+  /** As it was computed. @type {Figure | null} */
+  #computed = null;
   /** @type {FrameMap[]} */
   #maps = [];
   /** @type {Panel | null} */
@@ -62,6 +66,8 @@ export class GearFigure extends HTMLElement {
   /** @type {Clock | null} */
   #clock = null;
   #showPlaying = () => {};
+  /** @type {(busy: boolean) => void} */
+  #showBusy = () => {};
   /** @type {Computation | null} */
   #computation = null;
   /** What the attributes gave: to this a reset returns. @type {Given} */
@@ -261,7 +267,7 @@ export class GearFigure extends HTMLElement {
           signal: ended,
           partial,
           priority: this.inSight || this.#stands() ? priority.shown : priority.hidden,
-          restarted: () => this.#say("The worker that computed this figure stopped; another has taken over."),
+          restarted: () => this.#say(say("figure.replaced")),
         }),
       show: (figure, complete) => this.#show(figure, complete),
       fail: (error) => this.#complain(error),
@@ -276,6 +282,7 @@ export class GearFigure extends HTMLElement {
     this.#furnish(this.#info, provided);
     this.#readAttributes();
     signal.addEventListener("abort", onAppearance(() => this.#repaint()));
+    signal.addEventListener("abort", onLanguage(() => this.#translate()));
     const unsubscribe = store.subscribe((state, before) => {
       const given = store.given(this.#key, state);
       if (!sameGiven(given, store.given(this.#key, before))) {
@@ -310,10 +317,22 @@ export class GearFigure extends HTMLElement {
         turn: () => this.#repaint(),
       });
     }
-    const made = createButtons({ clock: this.#clock, turning: this.#turning, reset: () => this.reset() });
-    this.#showPlaying = made.showPlaying;
-    buttons.replaceChildren(...made.buttons);
+    this.#buildButtons(buttons);
     if (info.animated && !wantsStill()) provided.later(() => this.play());
+    this.#showPlaying();
+  }
+
+  /** @param {HTMLElement} place */
+  #buildButtons(place) {
+    const made = createButtons({
+      clock: this.#clock,
+      turning: this.#turning,
+      reset: () => this.reset(),
+      stop: () => this.#stop(),
+    });
+    this.#showPlaying = made.showPlaying;
+    this.#showBusy = made.showBusy;
+    place.replaceChildren(...made.buttons);
     this.#showPlaying();
   }
 
@@ -374,7 +393,10 @@ export class GearFigure extends HTMLElement {
     this.#postponed = !wanted && this.clientWidth === 0;
     if (this.#postponed) return;
     clearTimeout(this.#notice);
-    this.#notice = setTimeout(() => this.#say("Computing…"), NOTICEABLE);
+    this.#notice = setTimeout(() => {
+      this.#say(say("figure.computing"));
+      this.#showBusy(true);
+    }, NOTICEABLE);
     this.#computation?.wish(this.#given);
   }
 
@@ -384,6 +406,8 @@ export class GearFigure extends HTMLElement {
    */
   #show(figure, complete) {
     const first = this.#figure === null;
+    this.#computed = figure;
+    figure = spokenFigure(figure);
     this.#figure = figure;
     if (this.#clock) this.#clock.motion = figure.motion;
     if (figure.table !== null) showRows(this.#parts.rows, figure);
@@ -391,6 +415,7 @@ export class GearFigure extends HTMLElement {
     if (complete || first || this.inSight) this.#repaint();
     if (!complete) return;
     clearTimeout(this.#notice);
+    this.#showBusy(false);
     if (this.#blamed !== null) this.#panel?.complain(this.#blamed, null);
     this.#blamed = null;
     this.#parts.canvas.setAttribute("aria-label", plain(figure.summary));
@@ -408,11 +433,12 @@ export class GearFigure extends HTMLElement {
   /** @param {unknown} thrown */
   #complain(thrown) {
     clearTimeout(this.#notice);
+    this.#showBusy(false);
     const fields = fieldsOf(thrown);
-    if (fields.parameter !== null && this.#panel?.complain(fields.parameter, fields.message)) {
+    if (fields.parameter !== null && this.#panel?.complain(fields.parameter, spoken(fields.message))) {
       this.#blamed = fields.parameter;
     }
-    this.#say(this.#leftOut.includes(fields.message) ? "" : fields.message, true);
+    this.#say(this.#leftOut.includes(fields.message) ? "" : spoken(fields.message), true);
     // What is wrong must be mendable, drawing or not.
     this.#services?.later(() => this.#buildPanel());
     this.#tell("gear-error", fields);
@@ -427,6 +453,37 @@ export class GearFigure extends HTMLElement {
     status.replaceChildren(sentence(text));
     if (this.#leftOut !== "") status.prepend(`${this.#leftOut} `);
     status.classList.toggle("wrong", wrong || this.#leftOut !== "");
+  }
+
+  /** The reader has seen enough: what there is stays, until something else is asked for. */
+  #stop() {
+    clearTimeout(this.#notice);
+    this.#showBusy(false);
+    this.#computation?.refuse(new Error(say("figure.stopped")));
+    this.#say(say("figure.stopped"));
+  }
+
+  /** Says everything anew in another language. */
+  #translate() {
+    const summary = this.#parts.data.querySelector("summary");
+    if (summary !== null) summary.textContent = say("figure.in-words");
+    this.#buildButtons(this.#parts.buttons);
+    if (this.#panel !== null) {
+      this.#panel = null;
+      this.#buildPanel();
+    }
+    if (this.#computed === null) return;
+    this.#figure = spokenFigure(this.#computed);
+    if (this.#figure.table !== null) {
+      this.#parts.rows.replaceChildren();
+      showRows(this.#parts.rows, this.#figure);
+    }
+    this.#parts.canvas.setAttribute("aria-label", plain(this.#figure.summary));
+    const busy = this.#computation?.busy ?? false;
+    this.#showBusy(busy);
+    this.#say(busy ? say("figure.computing") : this.#figure.notes.join(" "));
+    this.#tabulate();
+    this.#repaint();
   }
 
   #tabulate() {

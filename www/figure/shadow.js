@@ -13,6 +13,8 @@
  * @property {HTMLDetailsElement} data
  */
 
+import { say } from "../words/say.js";
+
 const STYLE = `
 :host { display: block; container-type: inline-size; color: var(--ink, #1a1a1a); }
 :host([hidden]) { display: none; }
@@ -138,7 +140,7 @@ export function furnish(root) {
   const data = document.createElement("details");
   data.className = "data";
   const summary = document.createElement("summary");
-  summary.textContent = "In words and numbers";
+  summary.textContent = say("figure.in-words");
   data.append(summary);
   const rows = part("div", "rows");
   root.append(stage, bar, heard, controls, rows, data);
