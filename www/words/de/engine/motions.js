@@ -1,0 +1,87 @@
+/** Eine Bewegung von irgendeinem Anfang: in der Zeit, bei den Blitzen, ihr Spektrum. */
+
+/** @type {import("../../engine.js").Patterns} */
+export const motions = [
+  ["The motion in time", "Die Bewegung in der Zeit"],
+  ["The motion once a mesh period", "Die Bewegung, einmal in jeder Eingriffsperiode"],
+  ["The whine: a spectrum", "Das Heulen: ein Spektrum"],
+  [
+    "Transmission error *u* from any start. Light red: the dead zone, where no tooth touches; a cross marks where contact is lost for the first time. A start on an orbit shows that orbit, be it stable or not.",
+    "Übertragungsfehler *u* von irgendeinem Anfang. Hellrot: der tote Bereich, in dem kein Zahn berührt; ein Kreuz steht, wo der Kontakt zum ersten Mal verloren geht. Ein Anfang auf einer Bahn zeigt diese Bahn, sei sie stabil oder nicht.",
+  ],
+  [
+    "Stroboscopic map: where a motion from any start is at each flash, *T* = 2π/*Ω* apart. Light: on its way; dark blue: what it settles on, or stays near; red, orange: the fixed point in the middle, where it is unstable. The map fills in as it is computed.",
+    "Stroboskopische Abbildung: wo eine Bewegung von irgendeinem Anfang bei jedem Blitz ist, im Abstand *T* = 2π/*Ω*. Hell: auf dem Weg; dunkelblau: worauf sie sich beruhigt oder in dessen Nähe sie bleibt; rot, orange: der Fixpunkt in der Mitte, wo er instabil ist. Die Abbildung füllt sich, während sie berechnet wird.",
+  ],
+  [
+    "Amplitudes of *u* over frequency, on a logarithmic scale, where the motion from a start has settled. Lines at multiples of the mesh frequency *Ω*: a motion of period *T*; at its halves: one of period 2*T*; lines between them: one of two frequencies.",
+    "Amplituden von *u* über der Frequenz, auf logarithmischer Skala, wo die Bewegung von einem Anfang sich beruhigt hat. Linien bei Vielfachen der Eingriffsfrequenz *Ω*: eine Bewegung der Periode *T*; bei ihren Hälften: eine der Periode 2*T*; Linien dazwischen: eine mit zwei Frequenzen.",
+  ],
+  ["{1}; u is the deviation from rest, so that the contact of the teeth is not asked.", "{1}; u ist die Abweichung von der Ruhe, nach dem Kontakt der Zähne wird nicht gefragt."],
+  ["{1}; contact is kept, with a margin of {2} half-backlashes.", "{1}; der Kontakt hält, mit einem Abstand von {2} halben Spielen."],
+  [
+    "{1}; contact is lost at t = {2} and kept in the end, with a margin of {3} half-backlashes.",
+    "{1}; der Kontakt geht bei t = {2} verloren und hält am Ende, mit einem Abstand von {3} halben Spielen.",
+  ],
+  ["{1}; contact is lost at t = {2}.", "{1}; der Kontakt geht bei t = {2} verloren."],
+  [
+    "{1}; contact is lost, for the first time at t = {2}; in the end u falls {3} below contact.",
+    "{1}; der Kontakt geht verloren, zum ersten Mal bei t = {2}; am Ende fällt u um {3} unter den Kontakt.",
+  ],
+  ["A motion of period {1}T: u goes between {2} and {3}", "Eine Bewegung der Periode {1}T: u geht zwischen {2} und {3}"],
+  ["The motion grows until it escapes at t = {1}", "Die Bewegung wächst, bis sie bei t = {1} entkommt"],
+  ["The motion settles between u = {1} and {2}", "Die Bewegung beruhigt sich zwischen u = {1} und {2}"],
+  ["The motion goes on", "Die Bewegung geht weiter"],
+  ["contact lost, *t* = {1}", "Kontakt verloren, *t* = {1}"],
+  ["the motion escapes", "die Bewegung entkommt"],
+  ["At t = {1} the teeth would part: from there on the regime contact no longer holds.", "Bei t = {1} würden die Zähne sich trennen: Von dort an gilt das Regime contact nicht mehr."],
+  ["The motion escapes at t = {1}; it is known up to there.", "Die Bewegung entkommt bei t = {1}; sie ist bis dorthin bekannt."],
+  ["Start: {1}.", "Anfang: {1}."],
+  ["points of the map where the motion stays", "Punkte der Abbildung, wo die Bewegung bleibt"],
+  ["points of the motion of period {1}T", "Punkte der Bewegung der Periode {1}T"],
+  ["fixed point", "Fixpunkt"],
+  ["the start", "der Anfang"],
+  ["The start lies on a motion of period {1}T", "Der Anfang liegt auf einer Bewegung der Periode {1}T"],
+  [
+    "The start ends in a stable motion of period {1}T, one of whose points is u_p = {2}, u_p' = {3}",
+    "Der Anfang endet in einer stabilen Bewegung der Periode {1}T, von der ein Punkt u_p = {2}, u_p' = {3} ist",
+  ],
+  ["The start escapes at t = {1}", "Der Anfang entkommt bei t = {1}"],
+  [
+    "The start settles on no motion of period up to 8T; its points stay within |u_p| of {1}",
+    "Der Anfang beruhigt sich auf keiner Bewegung bis zur Periode 8T; seine Punkte bleiben innerhalb von |u_p| = {1}",
+  ],
+  ["The start is on its way", "Der Anfang ist auf dem Weg"],
+  [
+    "{1}; the fixed point in the middle is {2}, its largest multiplier has magnitude {3}.",
+    "{1}; der Fixpunkt in der Mitte ist {2}, sein größter Multiplikator hat den Betrag {3}.",
+  ],
+  ["The start lies on a motion of period {1}T.", "Der Anfang liegt auf einer Bewegung der Periode {1}T."],
+  ["The start escapes at t = {1}.", "Der Anfang entkommt bei t = {1}."],
+  ["The start is on its way.", "Der Anfang ist auf dem Weg."],
+  ["No fixed point in the middle: {1}.", "Kein Fixpunkt in der Mitte: {1}."],
+  ["The motion escapes at t = {1}: it settles on nothing that has a spectrum.", "Die Bewegung entkommt bei t = {1}: Sie beruhigt sich auf nichts, was ein Spektrum hätte."],
+  ["frequency over *Ω*", "Frequenz über *Ω*"],
+  ["log_{10} amplitude", "log_{10} Amplitude"],
+  ["amplitude of u, its decimal logarithm", "Amplitude von u, ihr Zehnerlogarithmus"],
+  ["Where the motion has settled u does not vibrate: there is nothing to hear.", "Wo die Bewegung sich beruhigt hat, schwingt u nicht: Es gibt nichts zu hören."],
+  [
+    "The loudest line of u is at {1} times the mesh frequency, with an amplitude of {2}.",
+    "Die lauteste Linie von u liegt beim {1}-fachen der Eingriffsfrequenz, mit einer Amplitude von {2}.",
+  ],
+  ["the pinion's displacement at the start, over half the backlash", "Verschiebung des Ritzels am Anfang, über dem halben Spiel"],
+  ["the gear's displacement at the start, over half the backlash", "Verschiebung des Rads am Anfang, über dem halben Spiel"],
+  ["transmission error at the start, over half the backlash", "Übertragungsfehler am Anfang, über dem halben Spiel"],
+  ["the pinion's velocity at the start", "Geschwindigkeit des Ritzels am Anfang"],
+  ["the gear's velocity at the start", "Geschwindigkeit des Rads am Anfang"],
+  ["rate of the transmission error at the start", "Änderungsrate des Übertragungsfehlers am Anfang"],
+  ["start", "Anfang"],
+  [
+    "Taylor series, {1} samples a mesh period, rectangular window, fast Fourier transform",
+    "Taylorreihen, {1} Werte in jeder Eingriffsperiode, Rechteckfenster, schnelle Fourier-Transformation",
+  ],
+  [
+    "Taylor series, {1} samples a mesh period, {2} window, fast Fourier transform",
+    "Taylorreihen, {1} Werte in jeder Eingriffsperiode, {2}-Fenster, schnelle Fourier-Transformation",
+  ],
+];
