@@ -129,7 +129,7 @@ export const words = {
   "figure.7.alt": "Radien von Grenzzyklen über der Verstimmung für verhärtende und erweichende Lager, und die Zyklen im Raum.",
   "story.hopf.2":
     "Ohne Dämpfung gäbe es nicht den einen Zyklus: Eine Größe bleibt erhalten, und Zyklen füllen eine ganze Schar. Dämpfung, und sei sie noch so klein, wählt einen davon aus <0/> und legt damit fest, wie die beiden Moden sich die Bewegung teilen,",
-  "note.113": "<0/> nennt den Ursprung in der ganzen Zunge eine instabile Spirale. Genau in ihrer Mitte dreht sich nichts: Dort ist der Imaginärteil von (111) null. <1>In Abbildung E</1>.",
+  "note.113": "<0/> nennt den Ursprung in der ganzen Zunge einen instabilen Strudel. Genau in ihrer Mitte dreht sich nichts: Dort ist der Imaginärteil von (111) null. <1>In Abbildung E</1>.",
   "note.111-112": "<0/> drucken <1/><2/> statt <3/> und eine Differenz von Quadraten statt ihrer Summe. Nur mit der Summe verschwindet (112) bei (105). <4>In Abbildung E</4>.",
   "story.hopf.3":
     "mit <0/> dafür, wie stark jede Mode von der anderen getrieben wird, und <1/> = <2/>/2, <3/>/2. Was die Gabel für eine Mode tut, tut dieser Zyklus für zwei: Er übernimmt, was die Ruhe verloren hat.",
@@ -140,7 +140,7 @@ export const words = {
 
   "story.origin": "Was aus der Ruhe wird",
   "story.origin.1":
-    "Nun steige die Drehzahl langsam durch alle drei Zungen, und wir sehen nur auf den Ursprung. In der Zunge der zweiten Mode weisen zwei reelle Exponenten hinaus und hinein: ein <0>Sattel</0>. Außerhalb der Zungen liegen alle Exponenten auf der imaginären Achse oder, mit Dämpfung, ein wenig links davon. In der Kombinationszunge verlassen zwei komplexe Paare die Achse: eine instabile <1>Spirale</1>. Dann wieder ein Sattel.",
+    "Nun steige die Drehzahl langsam durch alle drei Zungen, und wir sehen nur auf den Ursprung. In der Zunge der zweiten Mode weisen zwei reelle Exponenten hinaus und hinein: ein <0>Sattel</0>. Außerhalb der Zungen liegen alle Exponenten auf der imaginären Achse oder, mit Dämpfung, ein wenig links davon. In der Kombinationszunge verlassen zwei komplexe Paare die Achse: ein instabiler <1>Strudel</1>. Dann wieder ein Sattel.",
   "figure.8": "<0>Abbildung 8.</0> Eigenwerte des Ursprungs quer durch drei Zungen",
   "figure.8.caption":
     "(a), (b) Charakteristische Exponenten des Ursprungs, während <0/> von Zunge zu Zunge läuft, gesehen in einem Bezugssystem, das sich mit <1/>/2 dreht: die exakten blau und zinnoberrot, der langsame Fluss jeder Zunge grün. Die Ringe stehen beim gegenwärtigen <2/>. (c) Was für ein Punkt der Ursprung entlang <3/> ist; ziehen Sie den Griff, oder nehmen Sie den Regler.",
@@ -174,10 +174,10 @@ export const words = {
   "figure.11c.alt": "Abbildung mit einem Sattel im Ursprung und zwei Knoten, noch näher.",
   "figure.12": "<0>Abbildung 12.</0> Stroboskopische Abbildungen in der Kombinationszunge",
   "figure.12.caption":
-    "Der Ursprung ist eine instabile Spirale (orange). Was ihn verlässt (hell), windet sich auf eine geschlossene Kurve (dunkel): eine Bewegung von zwei Frequenzen, auf einem Torus. Sie schrumpft, wenn <0/> sich dem rechten Rand der Zunge nähert.",
-  "figure.12a.alt": "Abbildung mit einer instabilen Spirale im Ursprung und einer geschlossenen Kurve um ihn.",
-  "figure.12b.alt": "Abbildung mit einer instabilen Spirale im Ursprung und einer kleineren geschlossenen Kurve.",
-  "figure.12c.alt": "Abbildung mit einer instabilen Spirale im Ursprung und der kleinsten geschlossenen Kurve.",
+    "Der Ursprung ist ein instabiler Strudel (orange). Was ihn verlässt (hell), windet sich auf eine geschlossene Kurve (dunkel): eine Bewegung von zwei Frequenzen, auf einem Torus. Sie schrumpft, wenn <0/> sich dem rechten Rand der Zunge nähert.",
+  "figure.12a.alt": "Abbildung mit einem instabilen Strudel im Ursprung und einer geschlossenen Kurve um ihn.",
+  "figure.12b.alt": "Abbildung mit einem instabilen Strudel im Ursprung und einer kleineren geschlossenen Kurve.",
+  "figure.12c.alt": "Abbildung mit einem instabilen Strudel im Ursprung und der kleinsten geschlossenen Kurve.",
   "figure.13": "<0>Abbildung 13.</0> Stroboskopische Abbildungen in der Zunge der dritten Mode",
   "figure.13.caption": "Wie Abbildung 11, in der Zunge der dritten Mode.",
   "figure.13a.alt": "Abbildung mit einem Sattel im Ursprung und zwei Knoten.",
@@ -214,7 +214,7 @@ export const words = {
     "Zuletzt tun die Räder ihre Arbeit: Eine stetige Last <0/>\u00a0=\u00a01,5 drückt die Zähne zusammen, bei einer Drehzahl in der Zunge der zweiten Mode. Mit linearen Lagern wächst die Schwingung, bis sie in den toten Bereich gerät, und von da an ist die ständige Berührung eine Annahme, die versagt hat. Mit erweichenden Lagern schwingt sie sich ein, fern vom toten Bereich, und die Annahme hält. Die ganze Zeit muss gelten",
   "figure.14a": "<0>Abbildung 14 a.</0> Zeitverlauf, lineare Lager",
   "figure.14a.caption":
-    "Übertragungsfehler <0/> aus der Ruhe bei (0, 0, 1), ohne kubischen Anteil. Gestrichelt: ständige Berührung (25), wie im Aufsatz. Blau: mit dem toten Bereich von (23), hellrot.",
+    "Übertragungsfehler <0/> aus der Ruhe bei (0, 0, 1), ohne kubischen Anteil. Gestrichelt: dauernder Kontakt (25), wie im Aufsatz. Blau: mit dem toten Bereich von (23), hellrot.",
   "figure.14a.alt": "Übertragungsfehler über der Zeit, wachsend, bis er in den toten Bereich gerät.",
   "figure.14b": "<0>Abbildung 14 b.</0> Zeitverlauf, erweichende Lager",
   "figure.14b.caption": "Dasselbe mit <0/>\u00a0=\u00a0−1,3. Die Bewegung bleibt zwischen 2,2497 und 2,8431, sodass beide Annahmen dasselbe ergeben.",
@@ -285,7 +285,7 @@ export const words = {
   "term.torus.meaning": "Die Fläche, wie die eines Rings, die eine Bewegung aus zwei unverwandten Frequenzen am Ende füllt.",
   "term.saddle": "Sattel",
   "term.saddle.meaning": "Ein Zustand, dem man sich aus manchen Richtungen nähert und den man in anderen verlässt.",
-  "term.spiral": "Spirale",
+  "term.spiral": "Strudel",
   "term.spiral.meaning": "Ein Zustand, dem man sich in Windungen nähert oder den man in Windungen verlässt.",
   "term.hysteresis": "Hysterese",
   "term.hysteresis.meaning": "Was die Räder tun, hängt davon ab, woher sie kommen: Hinweg und Rückweg sind verschieden.",

@@ -247,7 +247,7 @@ export const summaries = [
   ["combination {1} to {2}", "Kombination {1} bis {2}"],
   ["{1}, and from {2}", "{1}, und von {2}"],
   ["a saddle from {1}", "ein Sattel von {1}"],
-  ["an unstable spiral from {1}", "eine instabile Spirale von {1}"],
+  ["an unstable spiral from {1}", "ein instabiler Strudel von {1}"],
   ["{1} to {2}, {3}", "{1} bis {2}, {3}"],
   ["{1} to {2}", "{1} bis {2}"],
 ];

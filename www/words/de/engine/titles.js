@@ -70,7 +70,7 @@ export const titles = [
   ],
   [
     "The motion looked at once every mesh period, *T* = 2π/*Ω*. The origin is an unstable spiral; what leaves it (light) winds onto a closed curve (dark): a motion of two frequencies, the limit cycle of the slow flow, whose size shrinks as *Ω* nears the tongue's right edge.",
-    "Die Bewegung, einmal in jeder Eingriffsperiode *T* = 2π/*Ω* angesehen. Der Ursprung ist eine instabile Spirale; was ihn verlässt (hell), windet sich auf eine geschlossene Kurve (dunkel): eine Bewegung mit zwei Frequenzen, der Grenzzyklus des langsamen Flusses, der kleiner wird, je näher *Ω* dem rechten Rand der Zunge kommt.",
+    "Die Bewegung, einmal in jeder Eingriffsperiode *T* = 2π/*Ω* angesehen. Der Ursprung ist ein instabiler Strudel; was ihn verlässt (hell), windet sich auf eine geschlossene Kurve (dunkel): eine Bewegung mit zwei Frequenzen, der Grenzzyklus des langsamen Flusses, der kleiner wird, je näher *Ω* dem rechten Rand der Zunge kommt.",
   ],
   [
     "Transmission error *u* from rest at (0, 0, 1), in the second mode's tongue, supports without cubic part. Dashed: permanent contact (25), as in the paper, which grows without bound; blue: with the dead zone of (23), which settles on a bounded motion that loses contact. Light red: the dead zone.",
