@@ -23,6 +23,8 @@ export default defineConfig({
   use: {
     // Ends with a slash: tests say page.goto("./") and stay under the prefix.
     baseURL: address,
+    // Keeping the page for offline use would fetch it a second time in every test; offline.spec.js allows it.
+    serviceWorkers: "block",
     trace: "retain-on-failure",
     launchOptions,
   },

@@ -286,6 +286,10 @@ watchPrinting(paintAll);
 provide(services);
 customElements.define("gear-figure", GearFigure);
 
+whenCalm(() => {
+  import("./offline/register.js").then(({ keepForOffline }) => keepForOffline()).catch(() => {});
+});
+
 /** Makes files of figures: fetched when one is to be saved. */
 const saving = () => import("./embed/save-figure.js");
 

@@ -48,7 +48,7 @@ test("everything the page loads at first is asked for early", async ({ page }) =
     return performance
       .getEntriesByType("resource")
       .map(({ name }) => name)
-      .filter((name) => name.endsWith(".js") && !early.has(name) && !name.endsWith("/worker.js"));
+      .filter((name) => name.endsWith(".js") && !early.has(name) && !/\/(worker|offline\/register)\.js$/.test(name));
   });
   expect(late).toEqual([]);
 });

@@ -3,7 +3,7 @@
 //! What a part imports when it runs is one thing; what it says about types in a JSDoc comment is another, and free.
 
 /// The parts of `www/`, each with the parts whose modules it may import when it runs.
-const ARROWS: [(&str, &[&str]); 12] = [
+const ARROWS: [(&str, &[&str]); 13] = [
     (
         "main",
         &[
@@ -19,6 +19,7 @@ const ARROWS: [(&str, &[&str]); 12] = [
             "classroom",
             "exports",
             "embed",
+            "offline",
         ],
     ),
     ("state", &["state"]),
@@ -31,6 +32,7 @@ const ARROWS: [(&str, &[&str]); 12] = [
     ("exports", &["exports", "state", "figure", "words"]),
     ("lab", &["lab", "state", "figure", "controls", "exports", "words"]),
     ("classroom", &["classroom", "state", "figure", "controls", "exports", "words"]),
+    ("offline", &["offline", "words"]),
     ("embed", &["embed", "state", "engine", "figure", "controls", "exports", "words"]),
 ];
 

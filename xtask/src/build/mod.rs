@@ -7,6 +7,7 @@ mod equations;
 mod link;
 mod module;
 mod modules;
+mod release;
 mod script;
 mod single;
 mod site;

@@ -3,7 +3,7 @@
 use super::bindings::Generated;
 use super::modules::Modules;
 use super::single::{self, Single};
-use super::{equations, link, module, script};
+use super::{equations, link, module, release, script};
 use crate::{Failure, place};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -12,11 +12,23 @@ use std::path::Path;
 const MODULE: &str = "gear-bifurcations.js";
 
 /// Files of `www/` that are sources of others or serve only the type checker.
-const NOT_SERVED: [&str; 5] =
-    ["engine/gear-bifurcations.js", "engine/bindings.js", FIGURE_SHELL, FRAME.0, HOST.0];
+const NOT_SERVED: [&str; 7] = [
+    "engine/gear-bifurcations.js",
+    "engine/bindings.js",
+    FIGURE_SHELL,
+    FRAME.0,
+    HOST.0,
+    KEEPER.0,
+    MANIFEST.0,
+];
 
 /// The page in one file.
 pub const SINGLE: &str = "gear-bifurcations.html";
+
+/// Below `www/`: what keeps the page for offline use, and what makes it installable. Both must lie beside the page, whose
+/// folder is all that they may speak for.
+const KEEPER: (&str, &str) = ("offline/service-worker.js", "service-worker.js");
+const MANIFEST: (&str, &str) = ("offline/manifest.webmanifest", "manifest.webmanifest");
 
 /// Below `www/`: what the file of a single figure is made from.
 const FIGURE_SHELL: &str = "embed/figure.html";
@@ -94,12 +106,16 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
     let frame = std::fs::read_to_string(&frame).map_err(Failure::file(&frame))?;
     site.add(FRAME.1, frame.replace("{{stills}}", &site.stills()?));
     site.copy(&www.join(HOST.0), HOST.1)?;
+    site.copy(&www.join(MANIFEST.0), MANIFEST.1)?;
     modules.insert(ELEMENT.to_owned(), ELEMENT_SOURCE.to_owned());
     for entries in ENTRIES {
         for (path, text) in link::files(&modules, entries)? {
             site.add(&path, text);
         }
     }
+    let keeper = www.join(KEEPER.0);
+    let keeper = std::fs::read_to_string(&keeper).map_err(Failure::file(&keeper))?;
+    site.add(KEEPER.1, release::service_worker(&keeper, &site)?);
     modules.insert(MODULE.to_owned(), site.text(MODULE)?.to_owned());
     let single = Single::gather(&site, &index, &figure, &modules)?;
     let (page, left_out) = single.page()?;
@@ -151,6 +167,11 @@ impl Site {
             ))
         };
         Ok(drawings.map(element).collect::<Result<Vec<_>, Failure>>()?.join("\n"))
+    }
+
+    /// All files, by their paths.
+    pub fn files(&self) -> impl Iterator<Item = (&str, &[u8])> {
+        self.0.iter().map(|(name, content)| (name.as_str(), content.as_slice()))
     }
 
     /// A file's bytes.
