@@ -1,17 +1,20 @@
-//! Curves of solutions followed through their folds.
-
+//! Branches of periodic orbits of a forced system of six coordinates, followed in one parameter.
 //!
 //! An orbit is a fixed point of a map `Q = g Phi_m`: the state is carried over m periods of the forcing and then
-//! Bifurcation Theory (Academic Press 1977), pp. 359-384 (pseudo-arclength); Yu. A. Kuznetsov, Elements of Applied
-//! Bifurcation Theory, 3rd ed. (Springer 2004), doi 10.1007/978-1-4757-3978-8, sections 10.1, 10.2 (test functions,
-//! Branches of periodic orbits of a forced system of six coordinates, followed in one parameter.
-//! Sources: H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, in Applications of
-//! The followed states are projected onto the space that their symmetries fix, in which every fold is regular and
-//! branch switching). Departure: the predictor extrapolates through several points instead of along the tangent.
-//! from which no rounding leads away; the multipliers within that space and across it are told apart.
 //! put through a symmetry g of the equations (the identity, or one of order two). An orbit with `Phi_m x = g x` is
 //! so found from half of its period, its multipliers are the squares of those of Q, and a bifurcation that breaks
 //! the symmetry is a period doubling of Q, which no step can miss.
+//!
+//! The followed states are projected onto the space that their symmetries fix, in which every fold is regular and
+//! from which no rounding leads away; the multipliers within that space and across it are told apart.
+//!
+//! Curves of solutions in two parameters are followed through their folds in [`two_parameter`].
+//!
+//! Sources: H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, in Applications of
+//! Bifurcation Theory (Academic Press 1977), pp. 359-384 (pseudo-arclength); Yu. A. Kuznetsov, Elements of Applied
+//! Bifurcation Theory, 3rd ed. (Springer 2004), doi 10.1007/978-1-4757-3978-8, sections 10.1, 10.2 (test functions,
+//! branch switching). Departure: the predictor extrapolates through several points instead of along the tangent.
+
 pub mod corrector;
 pub mod detect;
 pub mod predictor;
