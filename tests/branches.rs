@@ -169,6 +169,87 @@ fn a_branch_traced_backwards_returns_to_its_start() {
 }
 
 #[test]
+fn a_torus_that_is_born_while_a_multiplier_comes_back_is_located() {
+    // At -1 a multiplier comes in at 1.65946, a pair goes out at 1.66307: over a step that holds both, the count rises by
+    // one. Events computed independently: Newton on orbits by DOP853, roots of the test functions.
+    let p = parameters(
+        &json!({"m_p": 1.55204, "m_g": 2.103, "k_p": 3.73005, "k_g": 3.93256, "zeta": 0.003, "k0": 0.633947,
+        "Omega": 1.86853, "alpha_p": 0.42754, "alpha_g": -0.13346, "regime": "contact", "F": 0.80133, "F_p": 0.15864}),
+    );
+    let found = over_omega(&p, [1.5484733439672382, 2.322710015950857], 1);
+    let tori: Vec<f64> = only(&found, EventKind::NeimarkSacker).iter().map(|event| event.value).collect();
+    assert_eq!(tori.len(), 3, "{tori:?}");
+    for (own, expected) in tori.iter().zip([1.663066549, 1.754164703, 2.258127544]) {
+        assert!((own - expected).abs() < 1e-7, "{tori:?}");
+    }
+    expect(&found, EventKind::PeriodDoubling, 1.65945814);
+}
+
+#[test]
+fn steep_orbits_have_no_folds_of_rounding() {
+    // Largest entry of the linearisation 180: a multiplier that leaves 1 slowly was seen to come back once.
+    let p =
+        parameters(&json!({"m": 0.584994, "k": 3.18025, "zeta": 0.0117626, "k0": 0.946715, "Omega": 0.76992,
+        "alpha_p": -0.1399, "alpha_g": 0.19732}));
+    let range = [0.6509756425056132, 0.8807317516252414];
+    let found = over_omega(&p, range, 2);
+    check_promises(&found, range);
+    let folds = only(&found, EventKind::Fold);
+    assert_eq!(folds.len(), 1, "{folds:#?}");
+    expect(&found, EventKind::Fold, 0.666062425416);
+}
+
+/// Kinds and values, in rising order.
+fn listed(branch: &Branch) -> Vec<(f64, &'static str)> {
+    let mut all: Vec<_> = branch.events.iter().map(|event| (event.value, event.kind.name())).collect();
+    all.sort_by(|left, right| left.0.total_cmp(&right.0));
+    all
+}
+
+#[test]
+fn from_wherever_a_branch_is_followed_it_is_the_same() {
+    let mut generator = Generator(11);
+    let mut compared = 0;
+    for trial in 0..32 {
+        let omega = generator.within(1.0, 3.5);
+        let given = json!({
+            "m_p": generator.within(0.5, 2.0), "m_g": generator.within(0.5, 2.0), "k_p": generator.within(2.0, 8.0),
+            "k_g": generator.within(2.0, 8.0), "alpha_p": generator.within(-0.1, 0.4),
+            "alpha_g": generator.within(-0.1, 0.4), "zeta": generator.within(0.005, 0.05),
+            "k0": generator.within(0.2, 0.8), "Omega": omega, "F": generator.within(0.2, 1.0), "regime": "contact",
+        });
+        let p = parameters(&given);
+        let range = [0.85 * omega, 1.15 * omega];
+        let options = BranchOptions { points: 300, ..BranchOptions::new(range, 1 + trial % 2) };
+        let Ok(there) = branch(&p, &options) else { continue };
+        check_promises(&there, range);
+        let ended = |branch: &Branch| {
+            branch.ends.iter().all(|end| matches!(end, BranchEnd::Range | BranchEnd::BornFrom { .. }))
+        };
+        if !ended(&there) {
+            continue;
+        }
+        let start = there.value.len() * 3 / 4;
+        let at = Parameters {
+            omega: there.value[start],
+            omega_p: there.value[start],
+            omega_g: there.value[start],
+            ..p
+        };
+        let options = BranchOptions { from: Some(there.state[start]), period: there.period, ..options };
+        let back = branch(&at, &options).expect("follows from one of its own points");
+        check_promises(&back, range);
+        let (first, second) = (listed(&there), listed(&back));
+        assert_eq!(first.len(), second.len(), "{given}: {first:?} {second:?}");
+        for (one, other) in first.iter().zip(&second) {
+            assert!(one.1 == other.1 && (one.0 - other.0).abs() < 1e-7, "{given}: {first:?} {second:?}");
+        }
+        compared += 1;
+    }
+    assert!(compared >= 10, "{compared}");
+}
+
+#[test]
 fn orbits_and_multipliers_on_a_branch_are_those_found_one_by_one() {
     for given in [
         json!({"Omega": 1.65}),

@@ -35,6 +35,10 @@ pub struct Corrected {
 
 /// Most iterations: from a good prediction it takes one or two.
 const ITERATIONS: usize = 8;
+/// Largest entry of a linearisation up to which the tolerance is as given; beyond, the less by as much as it is greater.
+pub(super) const GENTLE: f64 = 10.0;
+/// The least part of the tolerance that is asked for of steep maps.
+pub(super) const STRICTEST: f64 = 1e-3;
 /// The shift of the parameter by which the map is differenced, relative to it.
 const SHIFT: f64 = 1e-6;
 /// Distance from the branch up to which a tangent that was predicted with the place is believed.
@@ -112,6 +116,8 @@ pub fn correct(
             along = None;
         }
         let worst = residual.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        // The linearisation is that of the place before the correction: the steeper it is, the nearer that must be.
+        let tolerance = tolerance * (GENTLE / evaluation.derivative.amax()).clamp(STRICTEST, 1.0);
         // What no longer shrinks but is small is as good as the map's own rounding allows.
         let stalled = size > 0.3 * last && size < 1e3 * tolerance;
         if size > 0.7 * last && !stalled || (iteration > 0 && size > 1e3) {

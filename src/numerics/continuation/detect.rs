@@ -23,6 +23,8 @@ pub struct Tests {
     pub margin: f64,
     /// Number of multipliers outside the unit circle.
     pub outside: usize,
+    /// Of these, the real ones above 1 and the real ones below -1.
+    pub beyond: [usize; 2],
 }
 
 /// The linearisation of a map at a fixed point, taken apart.
@@ -109,6 +111,7 @@ fn tests(spectrum: &Spectrum, size: usize, slack: f64) -> Tests {
     let times = |(a, b): (f64, f64), (c, d): (f64, f64)| (a * c - b * d, a * d + b * c);
     let (mut plus, mut minus, mut pair) = ((1.0, 0.0), (1.0, 0.0), (1.0, 0.0));
     let (mut outside, mut margin, mut from_one) = (0, 1.0_f64, f64::INFINITY);
+    let mut beyond = [0; 2];
     for i in 0..size {
         let (re, im) = value(i);
         plus = times(plus, (re - 1.0, im));
@@ -118,7 +121,12 @@ fn tests(spectrum: &Spectrum, size: usize, slack: f64) -> Tests {
             pair = times(pair, (1.0 - x, -y));
         }
         let modulus = re.hypot(im);
-        outside += usize::from(modulus > 1.0 + slack.max(ROUNDING));
+        if modulus > 1.0 + slack.max(ROUNDING) {
+            outside += 1;
+            if im == 0.0 {
+                beyond[usize::from(re < 0.0)] += 1;
+            }
+        }
         from_one = from_one.min((re - 1.0).hypot(im));
         if slack == 0.0 {
             margin = margin.min((modulus - 1.0).abs());
@@ -132,6 +140,7 @@ fn tests(spectrum: &Spectrum, size: usize, slack: f64) -> Tests {
         from_one,
         margin,
         outside,
+        beyond,
     }
 }
 
@@ -411,6 +420,11 @@ fn family_is_undamped(before: f64, after: f64) -> bool {
     before == 0.0 && after == 0.0
 }
 
+/// How much greater the first of two small numbers is.
+fn difference(after: usize, before: usize) -> isize {
+    after.cast_signed() - before.cast_signed()
+}
+
 /// What must have happened between two points of a branch.
 pub fn changes(from: &Point, to: &Point) -> Vec<(Sign, usize)> {
     let mut changes = Vec::new();
@@ -419,16 +433,17 @@ pub fn changes(from: &Point, to: &Point) -> Vec<(Sign, usize)> {
     }
     for block in 0..from.linear.count {
         let (before, after) = (&from.linear.blocks[block], &to.linear.blocks[block]);
-        let mut explained = 0_usize;
-        for sign in [Sign::Plus, Sign::Minus] {
+        let mut singles = 0_isize;
+        for (which, sign) in [Sign::Plus, Sign::Minus].into_iter().enumerate() {
             if changed(from, to, sign, block) {
                 changes.push((sign, block));
-                explained += 1;
+                singles += difference(after.beyond[which], before.beyond[which]).signum();
             }
         }
-        // Each crossing of +1 or -1 moves one multiplier; what is moved beyond that are pairs.
-        let moved = before.outside.abs_diff(after.outside);
-        for _ in 0..moved.saturating_sub(explained) / 2 {
+        // Each crossing of +1 or -1 moves one multiplier, out or in; what is moved beyond that are pairs. One that comes in
+        // while a pair goes out changes the count by one, as one that goes out does.
+        let moved = difference(after.outside, before.outside) - singles;
+        for _ in 0..moved.unsigned_abs() / 2 {
             changes.push((Sign::Pair, block));
         }
     }
@@ -493,4 +508,54 @@ pub fn direction(derivative: &Matrix6, space: &Space, block: usize, sign: Sign) 
     let row = decomposed.v_t?.row(smallest).into_owned();
     let components: State = std::array::from_fn(|i| row[i]);
     Some(unit(&space.vector(&components)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::symmetry::Group;
+    use super::*;
+
+    /// A point of a branch whose linearisation has these pairs, by modulus and angle, and these real multipliers.
+    fn point(pairs: &[(f64, f64)], real: &[f64]) -> Point {
+        let mut derivative = Matrix6::zeros();
+        let mut at = 0;
+        for (modulus, angle) in pairs {
+            let (re, im) = (modulus * angle.cos(), modulus * angle.sin());
+            (derivative[(at, at)], derivative[(at + 1, at + 1)]) = (re, re);
+            (derivative[(at, at + 1)], derivative[(at + 1, at)]) = (-im, im);
+            at += 2;
+        }
+        for value in real {
+            derivative[(at, at)] = *value;
+            at += 1;
+        }
+        assert_eq!(at, 6);
+        let space = Space::new(&Group::new(None, None), 1);
+        let evaluation = Evaluation {
+            image: [0.0; 6],
+            derivative,
+            half: [0.0; 6],
+            peaks: [0.0; 2],
+            gradients: [[0.0; 6]; 2],
+            pieces: 0,
+        };
+        let linear = Linear::of(&derivative, &space, 0.0).expect("eigenvalues");
+        let mut tangent = [0.0; 7];
+        tangent[6] = 1.0;
+        Point { arc: 0.0, at: [0.0; 7], tangent, evaluation, linear, residual: 0.0, singular: false }
+    }
+
+    #[test]
+    fn a_pair_that_goes_out_while_a_multiplier_comes_in_is_seen() {
+        // The count rises by one, which a single multiplier that goes out would explain.
+        let before = point(&[(0.996, 0.8), (0.97, 2.0)], &[-1.036, -0.956]);
+        let after = point(&[(1.003, 0.85), (0.97, 2.0), (0.995, 3.07)], &[]);
+        assert_eq!(changes(&before, &after), [(Sign::Minus, 0), (Sign::Pair, 0)]);
+        assert_eq!(changes(&after, &before), [(Sign::Minus, 0), (Sign::Pair, 0)]);
+        let out = point(&[(0.996, 0.8), (0.97, 2.0)], &[-0.99, -0.9]);
+        assert_eq!(changes(&out, &before), [(Sign::Minus, 0)]);
+        assert_eq!(changes(&out, &point(&[(1.01, 0.8), (0.97, 2.0)], &[-0.99, -0.9])), [(Sign::Pair, 0)]);
+        let both = point(&[(1.01, 0.8), (0.97, 2.0)], &[-1.02, -0.9]);
+        assert_eq!(changes(&out, &both), [(Sign::Minus, 0), (Sign::Pair, 0)]);
+    }
 }
