@@ -4,6 +4,9 @@ import { control, data, expect, figure, open, test } from "./page.js";
 
 /** @typedef {import("@playwright/test").Page} Page */
 
+/** A machine with other work to do takes its time over a figure. */
+const PATIENT = { timeout: 30_000 };
+
 /** @param {Page} page */
 const hash = (page) => page.evaluate(() => location.hash);
 
@@ -56,10 +59,10 @@ test("undo and redo, by keys, by buttons and by the browser's own", async ({ pag
   await expect.poll(() => hash(page)).toBe("#story&v=1&4.k=6&4.m=2");
   await expect(redo).toBeDisabled();
   await page.goBack();
-  await expect.poll(async () => (await data(page, "4")).params.m_p).toBe(1);
+  await expect.poll(async () => (await data(page, "4")).params.m_p, PATIENT).toBe(1);
   await expect(redo).toBeEnabled();
   await page.goForward();
-  await expect.poll(async () => (await data(page, "4")).params.m_p).toBe(2);
+  await expect.poll(async () => (await data(page, "4")).params.m_p, PATIENT).toBe(2);
 });
 
 test("a box keeps its own undo: what is typed there is not the page's to take back", async ({ page }) => {
@@ -86,7 +89,7 @@ test("dragging a slider is one action, in the page and in the browser's history"
   await expect.poll(() => hash(page)).toMatch(/^#story&v=1&4\.k=\d+/);
   expect(await page.evaluate(() => history.length)).toBe(before + 1);
   await page.goBack();
-  await expect.poll(async () => (await data(page, "4")).params.k_p).toBe(5);
+  await expect.poll(async () => (await data(page, "4")).params.k_p, PATIENT).toBe(5);
 });
 
 test("after a reload the address still shows the same, and back leads to what was before", async ({ page }) => {
@@ -94,9 +97,9 @@ test("after a reload the address still shows the same, and back leads to what wa
   await set(page, "4", "k", "6");
   await expect.poll(() => hash(page)).toBe("#story&v=1&4.k=6");
   await page.reload();
-  await expect.poll(async () => (await data(page, "4")).params.k_p).toBe(6);
+  await expect.poll(async () => (await data(page, "4")).params.k_p, PATIENT).toBe(6);
   await page.goBack();
-  await expect.poll(async () => (await data(page, "4")).params.k_p).toBe(5);
+  await expect.poll(async () => (await data(page, "4")).params.k_p, PATIENT).toBe(5);
 });
 
 test("the palette finds every action by a part of its name, and needs no pointer", async ({ page }) => {
