@@ -185,7 +185,7 @@ export async function startEngine() {
     poolSize(navigator.hardwareConcurrency ?? 2),
   );
   const gear = await loading;
-  // While they compute this thread has nothing to do; before, they wait for it in order to start.
-  void pool.ready.then(() => warmDrawing(gear));
+  // While they compute this thread has nothing to do; before, they wait for it in order to start, and it for the page.
+  void pool.busy.then(() => setTimeout(() => warmDrawing(gear)));
   return new Engine(gear, pool);
 }

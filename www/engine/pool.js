@@ -65,10 +65,10 @@ export class Pool {
   #tickets = 0;
   /** Until every figure has its first picture no computation goes beyond it, so that drawing has the processor. */
   #firstPictures = true;
-  #tellReady = () => {};
-  /** When the module runs in the first worker. @type {Promise<void>} */
-  ready = new Promise((resolve) => {
-    this.#tellReady = resolve;
+  #tellBusy = () => {};
+  /** When a worker has begun to compute. @type {Promise<void>} */
+  busy = new Promise((resolve) => {
+    this.#tellBusy = resolve;
   });
   /** Answers that came for computations nobody waits for any more. */
   dropped = 0;
@@ -100,6 +100,7 @@ export class Pool {
     if (seat.closed) this.#reopen(seat);
     seat.tasks.set(ticket, { wanted, answers, deaths: 0 });
     this.#say(seat, { type: "run", ticket, ...wanted });
+    if (seat.ready) this.#tellBusy();
     this.#pulse ??= setInterval(() => this.#check(), PULSE);
     return ticket;
   }
@@ -193,7 +194,7 @@ export class Pool {
     if (message.type === "ready") {
       seat.ready = true;
       seat.deaths = 0;
-      this.#tellReady();
+      if (seat.tasks.size > 0) this.#tellBusy();
     }
     if (message.type === "ready" || message.type === "pong") return;
     if (message.type === "step") {
