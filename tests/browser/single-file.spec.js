@@ -86,7 +86,6 @@ for (const home of ["the single file", "the site"]) {
         description: 'The "map"',
         svg: '<svg xmlns="http://www.w3.org/2000/svg" width="720" height="533"><title>Ω</title></svg>',
         given: { Omega: 1.6 },
-        version: "0",
       };
       return (await figureFile(saved)).text();
     });

@@ -15,14 +15,13 @@ const PARTS = ["gear-style", "gear-wasm", "gear-module", "gear-worker", "gear-co
  * @property {string} description  What a still picture of it shows, in a sentence.
  * @property {string} svg  That picture.
  * @property {Readonly<Record<string, number | string>>} given  Parameters that differ from the figure's own, by name.
- * @property {string} version
  */
 
 /**
  * @param {Saved} saved
  * @returns {Promise<Blob>} an HTML document; rejected where the site cannot be reached
  */
-export async function figureFile({ figure, title, description, svg, given, version }) {
+export async function figureFile({ figure, title, description, svg, given }) {
   const [width, height] = ["width", "height"].map((name) => svg.match(new RegExp(`<svg[^>]* ${name}="([\\d.]+)"`))?.[1] ?? "");
   /** @type {Record<string, string>} */
   const values = {
@@ -31,7 +30,6 @@ export async function figureFile({ figure, title, description, svg, given, versi
     description,
     width,
     height,
-    version,
     picture: `data:image/svg+xml;base64,${base64(svg)}`,
   };
   const attributes = Object.entries(given).map(([name, value]) => ` ${name.toLowerCase()}="${escaped(String(value))}"`);

@@ -340,4 +340,8 @@ export const words = {
   "symbol.d_2": "Abklingrate der zweiten Mode",
   "symbol.d_3": "Abklingrate der dritten Mode",
   "symbol.R": "Amplitude einer Mode; das Lager bewegt sich bis zum Doppelten davon",
+  "about.summary": "Über diese Kopie",
+  "about.version": "Fassung",
+  "about.commit": "Commit",
+  "about.made": "Gemacht mit",
 };

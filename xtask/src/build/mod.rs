@@ -7,10 +7,12 @@ mod equations;
 mod link;
 mod module;
 mod modules;
-mod release;
+pub mod package;
+pub mod release;
 mod script;
 mod single;
 mod site;
+pub mod stamp;
 mod weight;
 
 use crate::command::{cargo, run};

@@ -99,7 +99,7 @@ impl<'a> Single<'a> {
     }
 
     /// The file of a figure as it is drawn before anybody changes anything.
-    pub fn figure(&self, id: &str, version: &str) -> Result<String, Failure> {
+    pub fn figure(&self, id: &str) -> Result<String, Failure> {
         let path = format!("figures/{id}.svg");
         let drawing = self.site.text(&path).map_err(|_| {
             Failure::invalid(
@@ -116,7 +116,6 @@ impl<'a> Single<'a> {
             ("picture", picture_address(drawing)),
             ("figure", id.to_owned()),
             ("attributes", String::new()),
-            ("version", version.to_owned()),
         ];
         Ok(values
             .iter()

@@ -3,13 +3,14 @@
 use super::bindings::Generated;
 use super::modules::Modules;
 use super::single::{self, Single};
-use super::{equations, link, module, release, script};
+use super::stamp::Stamp;
+use super::{equations, link, module, package, release, script};
 use crate::{Failure, place};
 use std::collections::BTreeMap;
 use std::path::Path;
 
 /// A file that every `dist/` of ours holds, and by which we know that a folder is ours to tidy.
-const MODULE: &str = "gear-bifurcations.js";
+pub const MODULE: &str = "gear-bifurcations.js";
 
 /// Files of `www/` that are sources of others or serve only the type checker.
 const NOT_SERVED: [&str; 7] = [
@@ -33,7 +34,7 @@ const MANIFEST: (&str, &str) = ("offline/manifest.webmanifest", "manifest.webman
 /// Below `www/`: what the file of a single figure is made from.
 const FIGURE_SHELL: &str = "embed/figure.html";
 
-const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Modules that something is started with, in lists of those that live in one page or worker together. Each is served
 /// joined with all that it imports.
@@ -75,11 +76,17 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
     let www = root.join("www");
     let handwritten = www.join("engine/gear-bifurcations.js");
     let handwritten = std::fs::read_to_string(&handwritten).map_err(Failure::file(&handwritten))?;
-    site.add(MODULE, script::bare(&module::splice(&handwritten, &generated.glue)?));
+    let module = module::splice(&handwritten, &generated.glue)?;
+    site.add(MODULE, script::bare(&module));
     site.add("gear-bifurcations_bg.wasm", generated.wasm.clone());
-    site.add("package.json", package());
+    site.add("package.json", package::of_folder());
     site.copy(&www.join("engine/gear-bifurcations.d.ts"), "gear-bifurcations.d.ts")?;
-    site.copy(&root.join("index.html"), "index.html")?;
+    package::add(&mut site, root, &module)?;
+    let stamp = Stamp::read(&generated.wasm)?;
+    let document = |path: &Path| std::fs::read_to_string(path).map_err(Failure::file(path));
+    let index = stamp.put_into(&document(&root.join("index.html"))?);
+    let figure = stamp.put_into(&document(&www.join(FIGURE_SHELL))?);
+    site.add("index.html", index.clone());
     site.add(equations::PAGE, equations::page(root)?);
     let mut modules = Modules::new();
     for name in place::files_below(&www)? {
@@ -93,9 +100,6 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
             site.copy(&from, &path)?;
         }
     }
-    let (index, figure) = (root.join("index.html"), www.join(FIGURE_SHELL));
-    let index = std::fs::read_to_string(&index).map_err(Failure::file(&index))?;
-    let figure = std::fs::read_to_string(&figure).map_err(Failure::file(&figure))?;
     // Each figure as a drawing, for readers without scripts and until the live one is there. A test proves that they
     // are what the library draws today, so that the build need not compile it twice.
     let drawings = root.join("tests/goldens");
@@ -120,7 +124,7 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
     let single = Single::gather(&site, &index, &figure, &modules)?;
     let (page, left_out) = single.page()?;
     let template = single.template();
-    let shown = figures.iter().map(|id| Ok((figure_file(id), single.figure(id, VERSION)?)));
+    let shown = figures.iter().map(|id| Ok((figure_file(id), single.figure(id)?)));
     let shown = shown.collect::<Result<Vec<_>, Failure>>()?;
     site.add(SINGLE, page);
     site.add("figure.html", template);
@@ -128,25 +132,6 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
         site.add(&name, file);
     }
     Ok(Gathered { site, left_out })
-}
-
-/// Lets Node and editors take the folder as a package: without it Node 20 would read the module as `CommonJS`.
-fn package() -> String {
-    format!(
-        r#"{{
-  "name": "gear-bifurcations",
-  "version": "{VERSION}",
-  "license": "MIT OR Apache-2.0",
-  "type": "module",
-  "exports": {{
-    ".": {{ "types": "./gear-bifurcations.d.ts", "default": "./gear-bifurcations.js" }},
-    "./gear-bifurcations.js": {{ "types": "./gear-bifurcations.d.ts", "default": "./gear-bifurcations.js" }},
-    "./gear-bifurcations_bg.wasm": "./gear-bifurcations_bg.wasm"
-  }},
-  "types": "./gear-bifurcations.d.ts"
-}}
-"#
-    )
 }
 
 impl Site {
