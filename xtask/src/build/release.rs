@@ -11,7 +11,7 @@ const EMPTY: &str = "const RELEASE = Object.freeze({});";
 
 /// Paths that the page itself never asks for, or only while it has a network: files for other pages, still drawings,
 /// the page in one file, declarations.
-const NOT_KEPT: [&str; 8] = [
+const NOT_KEPT: [&str; 10] = [
     "figures/",
     "gear-bifurcations.html",
     "figure.html",
@@ -20,6 +20,8 @@ const NOT_KEPT: [&str; 8] = [
     "gear-host.js",
     "www/embed/frame.js",
     "package.json",
+    "package/",
+    "docs/examples/",
 ];
 
 /// The service worker of this site.

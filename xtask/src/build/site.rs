@@ -117,6 +117,11 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
             site.add(&path, text);
         }
     }
+    // They lead to files of the site two folders up, so they run where they lie.
+    let examples = root.join("docs/examples");
+    for name in place::files_below(&examples)? {
+        site.copy(&examples.join(&name), &format!("docs/examples/{name}"))?;
+    }
     let keeper = www.join(KEEPER.0);
     let keeper = std::fs::read_to_string(&keeper).map_err(Failure::file(&keeper))?;
     site.add(KEEPER.1, release::service_worker(&keeper, &site)?);
