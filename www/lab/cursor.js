@@ -12,6 +12,8 @@ import { named, element } from "./dom.js";
 
 /** How many places of the trail are kept. */
 const TRAIL = 800;
+/** No chart is made narrower than by this part of its place. */
+const MOST_INSET = 0.3;
 /** Keys and how far they move the cursor, in parts of what is shown. */
 const KEYS = new Map([
   ["ArrowRight", 0.0025],
@@ -185,11 +187,16 @@ export class Cursor {
     // The edges of the wider chart stand as far in as either needs.
     const left = Math.max(beside.left, under.left);
     const right = Math.max(beside.right, under.right);
-    const scale = (width - left - right) / (above.x.high - above.x.low);
+    const scale = (width - left - right) / (Math.max(above.x.high, below.x.high) - Math.min(above.x.low, below.x.low));
     if (!(scale > 0)) return;
     const shifted = (/** @type {number} */ from) => Math.max(0, from * scale);
-    inset(one, left - beside.left, right - beside.right);
-    inset(other, left - under.left + shifted(below.x.low - above.x.low), right - under.right + shifted(above.x.high - below.x.high));
+    const insets = [
+      [left - beside.left + shifted(above.x.low - below.x.low), right - beside.right + shifted(below.x.high - above.x.high)],
+      [left - under.left + shifted(below.x.low - above.x.low), right - under.right + shifted(above.x.high - below.x.high)],
+    ];
+    // Where they share too little of the axis, each has its own.
+    const apart = insets.some(([start, end]) => start + end > MOST_INSET * width);
+    [one, other].forEach((figure, index) => inset(figure, apart ? 0 : insets[index][0], apart ? 0 : insets[index][1]));
   }
 
   #listen() {

@@ -69,6 +69,8 @@ function period(periods) {
  */
 function theory(figures) {
   const branches = figures.get("B");
+  // It speaks of motions about rest: under a load there is none, and where the motion comes to rest nothing to say.
+  if (figures.get("M")?.facts.loaded === true || Number(figures.get("U")?.facts.maxU_p) < REST) return "";
   const omega = figures.get("M")?.params.Omega ?? figures.get("U")?.params.Omega;
   if (branches === undefined || omega === undefined) return "";
   let greatest = -Infinity;

@@ -26,6 +26,8 @@ import { numberOf } from "./values.js";
 
 learn(words);
 
+/** Charts of which the sentence and the flag speak. */
+const SPOKEN = new Set(["U", "P", "M"]);
 /** The sentence is heard when nothing has changed for so long, ms. */
 const QUIET = 900;
 
@@ -40,6 +42,7 @@ export function start(host, services) {
 
 class Laboratory {
   #services;
+  #charts;
   /** The newest figure of each chart. @type {Map<string, Figure>} */
   #figures = new Map();
   /** What was drawn last in each, whether it still holds or not. @type {Map<string, Figure>} */
@@ -70,6 +73,7 @@ class Laboratory {
     this.#services = services;
     const { act, engine, store } = services;
     const charts = createCharts(services);
+    this.#charts = charts;
     const chart = (/** @type {ChartId} */ id) => /** @type {Chart} */ (charts.get(id));
     const omega = () => numberOf(pointOf(store.state), engine.vocabulary, "Omega");
 
@@ -103,6 +107,7 @@ class Laboratory {
       this.#cursor.show();
       this.#cursor.pin(this.#compare.places);
       this.#hear();
+      this.#askHidden();
     });
     new ResizeObserver(() => this.#cursor.show()).observe(left);
     onLanguage(() => this.#tell());
@@ -118,6 +123,7 @@ class Laboratory {
     this.#begin();
     this.#register();
     this.#tell();
+    requestAnimationFrame(() => this.#askHidden());
   }
 
   /** A link that gives a gear pair alone gives the point too. */
@@ -140,12 +146,30 @@ class Laboratory {
       this.#later();
     });
     figure.addEventListener("gear-error", (event) => {
-      const { message, parameter } = /** @type {CustomEvent<{message: string, parameter: string | null}>} */ (event).detail;
+      const { code, message, parameter } = /** @type {CustomEvent<{code: string, message: string, parameter: string | null}>} */ (event).detail;
+      // A place too small for a picture, on the way from one size to another, says nothing of the motion.
+      if (code === "drawing") return;
       this.#refused.set(id, message);
       this.#figures.delete(id);
       this.#parameters.complain(parameter, message);
       this.#later();
     });
+  }
+
+  /** What the sentence needs is asked for although its chart may not be shown, as on a phone. */
+  #askHidden() {
+    for (const [id, { figure }] of this.#charts) {
+      if (!SPOKEN.has(id) || figure.clientWidth > 0) continue;
+      figure.data().then(
+        (found) => {
+          if (this.#figures.get(id) === found) return;
+          this.#figures.set(id, found);
+          this.#refused.delete(id);
+          this.#later();
+        },
+        () => {},
+      );
+    }
   }
 
   /** Says anew what is so, once for all that comes within a frame. */

@@ -174,7 +174,7 @@ export class Pair {
   /** @param {Si} si */
   #fill(si) {
     for (const [name, box] of this.#boxes) {
-      if (document.activeElement !== box && !box.hasAttribute("aria-invalid")) box.value = writeNumber(Number((si[name] ?? 0).toPrecision(6)));
+      if (document.activeElement !== box && !box.hasAttribute("aria-invalid")) box.value = written(si[name] ?? 0);
     }
   }
 
@@ -295,6 +295,13 @@ function heading(words) {
  */
 function asked(si) {
   return /** @type {import("../engine/gear-bifurcations.js").PhysicalPair} */ (/** @type {unknown} */ (si));
+}
+
+/** A quantity as it is written in a box, large and small ones with a power of ten. @param {number} value */
+function written(value) {
+  const rounded = Number(value.toPrecision(6));
+  const size = Math.abs(rounded);
+  return size !== 0 && (size >= 1e6 || size < 1e-3) ? rounded.toExponential() : writeNumber(rounded);
 }
 
 /** @param {number | undefined} value */

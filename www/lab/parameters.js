@@ -31,8 +31,11 @@ const ENTRIES = [
   { name: "start", opens: START, further: true },
 ];
 
+/** Digits of a value in the line; its number box has all of them. */
+const DIGITS = 6;
+
 export class Parameters {
-  element = named(element("section", "line"), "aria-label", "lab.line");
+  element = named(element("section", "numbers"), "aria-label", "lab.line");
   #services;
   #entries = element("div", "entries");
   #drawer = element("div", "drawer");
@@ -136,9 +139,9 @@ export class Parameters {
     if (name === "start") return say(START.some((one) => one in given) ? "lab.start.own" : "lab.start.usual");
     if (name === "regime") return say(`lab.regime.${valueOf(given, vocabulary, "regime")}`);
     const both = PAIRS[/** @type {keyof typeof PAIRS} */ (name)];
-    if (both === undefined) return number(numberOf(given, vocabulary, name));
+    if (both === undefined) return number(numberOf(given, vocabulary, name), { digits: DIGITS });
     const [pinion, gear] = both.map((one) => numberOf(given, vocabulary, one));
-    return pinion === gear ? number(pinion) : `${number(pinion)} | ${number(gear)}`;
+    return [...new Set([pinion, gear])].map((value) => number(value, { digits: DIGITS })).join(" | ");
   }
 
   /** @param {{name: string, opens: readonly string[]}} entry */
@@ -213,8 +216,9 @@ export function createThumb({ engine, store, act }, range) {
     const slider = element("input", "");
     slider.type = "range";
     slider.step = "any";
-    const label = element("label", "");
-    if (info !== undefined && "symbol" in info) label.append(elements(info.symbol));
+    const symbol = element("span", "symbol");
+    if (info !== undefined && "symbol" in info) symbol.append(elements(info.symbol));
+    const label = element("label", "", symbol);
     const value = element("output", "");
     label.append(slider, value);
     home.append(label);

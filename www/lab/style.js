@@ -31,9 +31,9 @@ const STYLE = `
   border-radius: 50% !important; background: var(--ground) !important; border: 1.5px solid var(--ink) !important; cursor: ew-resize !important; pointer-events: auto;
   touch-action: none; }
 .lab .knob::before { content: "↔"; }
-.lab .pin-flag { position: absolute; inset: 0 auto auto 0; inline-size: 1.3rem; block-size: 1.3rem; margin: -0.65rem; display: grid; place-items: center; font-size: 0.8125rem;
+.lab .pin-flag { position: absolute; inset: 0 auto auto 0; inline-size: 1.3rem; block-size: 1.3rem; margin: -1.6rem 0 0 0.4rem; display: grid; place-items: center; font-size: 0.8125rem;
   font-weight: 700; line-height: 1; background: var(--ground); border: 1.5px solid var(--ink); pointer-events: none; }
-.lab .line { position: relative; border-block: 1px solid var(--rule); padding-block: 0.3rem; }
+.lab .numbers { position: relative; border-block: 1px solid var(--rule); padding-block: 0.3rem; }
 .lab .entry { border-color: transparent; font-variant-numeric: tabular-nums; }
 .lab .entry .symbol { margin-inline-end: 0.2rem; }
 .lab .entry .value { text-decoration: underline; text-decoration-color: var(--rule); text-underline-offset: 0.2em; }
@@ -94,9 +94,12 @@ const STYLE = `
 }
 @media (max-width: 699.98px) {
   .lab .tabs { display: flex; }
+  .lab .toolbar { order: 2; }
+  .lab .numbers { order: 3; }
+  .lab .knob { display: none; }
   .lab .chart { display: none; }
   .lab[data-chart="T"] .chart-T, .lab[data-chart="B"] .chart-B, .lab[data-chart="1"] .chart-1, .lab[data-chart="U"] .chart-U, .lab[data-chart="P"] .chart-P,
-  .lab[data-chart="M"] .chart-M, .lab[data-chart="W"] .chart-W { display: grid; grid-column: 1 / -1; block-size: clamp(15rem, 48dvh, 26rem); min-block-size: 0 !important; }
+  .lab[data-chart="M"] .chart-M, .lab[data-chart="W"] .chart-W { display: grid; grid-column: 1 / -1; block-size: clamp(14rem, calc(100dvh - 29rem), 26rem); min-block-size: 0 !important; }
   .lab .left { grid-auto-rows: auto; }
   .lab:not([data-chart="T"], [data-chart="B"]) .left, .lab:is([data-chart="T"], [data-chart="B"]) .right { display: none; }
   .lab .thumb { display: grid; gap: 0.1rem; position: sticky; inset-block-end: var(--state, 6.5rem); background: var(--ground); z-index: 2; order: 9; padding-block: 0.3rem;
