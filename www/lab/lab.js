@@ -20,6 +20,7 @@ import { contact, sentence } from "./facts.js";
 import { Pair } from "./pair.js";
 import { createThumb, Parameters } from "./parameters.js";
 import { pickOrbits, pickStarts } from "./pick.js";
+import { shareWindows } from "./share.js";
 import { Sound } from "./sound.js";
 import { adoptStyle } from "./style.js";
 import { numberOf } from "./values.js";
@@ -109,6 +110,7 @@ class Laboratory {
       this.#hear();
       this.#askHidden();
     });
+    store.subscribe((state, before) => shareWindows(store, before, charts));
     new ResizeObserver(() => this.#cursor.show()).observe(left);
     onLanguage(() => this.#tell());
     document.addEventListener("visibilitychange", () => this.#see());
