@@ -101,9 +101,11 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 :host([fit]) { display: grid !important; grid-template-rows: minmax(0, 1fr) auto; position: relative; }
 :host([fit]) .stage { aspect-ratio: auto; min-block-size: 0; margin-inline: var(--inset-start, 0) var(--inset-end, 0); }
 :host([fit]) :is(.panel-place, .rows) { display: none; }
-:host([fit]) .bar { min-block-size: 1.5rem; margin: 0; }
+:host([fit]) .bar { position: absolute; inset-block-start: -1.6rem; inset-inline: 45% 0; min-block-size: 1.5rem; margin: 0; grid-template-columns: minmax(0, 1fr) auto; }
+:host([fit]) .readout { text-align: end; white-space: nowrap; text-overflow: ellipsis; }
 :host([fit]) .buttons button.reset, :host([fit]) .data:not([open]) { display: none; }
 :host([fit]) .status:not(.wrong) { display: none; }
+:host([fit]) .status.wrong { position: absolute; inset-block-start: 100%; inset-inline: 0; background: var(--ground, #fff); }
 @media print {
   .bar, .panel-place, .data { display: none; }
 }

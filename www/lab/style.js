@@ -18,7 +18,7 @@ const STYLE = `
 .lab .toolbar .label { color: var(--quiet); }
 .lab .left, .lab .right { display: grid; gap: 0.35rem var(--gap); min-inline-size: 0; }
 .lab .left { position: relative; grid-auto-rows: minmax(19rem, 1fr); }
-.lab .chart { display: grid; grid-template-rows: auto minmax(0, 1fr); min-inline-size: 0; }
+.lab .chart { display: grid; grid-template-rows: 1.5rem minmax(0, 1fr); min-inline-size: 0; }
 .lab .chart gear-figure { min-block-size: 0; min-inline-size: 0; }
 .lab .right { grid-template-columns: repeat(2, minmax(0, 1fr)); }
 .lab .right .chart { min-block-size: 17rem; }
@@ -27,7 +27,7 @@ const STYLE = `
 .lab .over .here { fill: var(--ground); stroke: var(--ink); stroke-width: 2.5; }
 .lab .over .trail { fill: none; stroke: var(--ink); stroke-width: 1.5; stroke-dasharray: 1 3; stroke-linecap: round; }
 .lab .cursor { position: absolute; inset-block: 0; inset-inline-start: 0; inline-size: 0; border-inline-start: 1px solid var(--ink); opacity: 0.75; pointer-events: none; }
-.lab .knob { position: absolute; inset-block-start: 50%; inset-inline-start: -0.5px; translate: -50% -50%; inline-size: 1.75rem; min-block-size: 1.75rem !important; padding: 0 !important;
+.lab .knob { position: absolute; inset-block-end: -1rem; inset-inline-start: -0.5px; translate: -50% 0; inline-size: 1.75rem; min-block-size: 1.75rem !important; padding: 0 !important;
   border-radius: 50% !important; background: var(--ground) !important; border: 1.5px solid var(--ink) !important; cursor: ew-resize !important; pointer-events: auto;
   touch-action: none; }
 .lab .knob::before { content: "↔"; }
@@ -54,7 +54,8 @@ const STYLE = `
 .lab input[aria-invalid] { border-block-end: 2px solid var(--wrong); }
 .lab input[type="range"] { inline-size: 100%; min-block-size: 1.75rem; margin: 0; }
 .lab .thumb { display: none; }
-.lab .state { display: grid; grid-template-columns: auto minmax(0, 1fr); gap: 0.15rem 1.5rem; align-items: baseline; min-block-size: 2.75rem; }
+.lab .state { display: grid; grid-template-columns: auto minmax(0, 1fr); gap: 0.15rem 1.5rem; align-items: baseline; min-block-size: 2.75rem; position: sticky; inset-block-end: 0;
+  background: var(--ground); padding-block: 0.4rem; z-index: 2; }
 .lab .sentence { text-wrap: pretty; min-block-size: 2.7em; }
 .lab .sentence.wrong { color: var(--wrong); }
 .lab .flag { max-inline-size: 18rem; min-inline-size: 12rem; font-variant-numeric: tabular-nums; }
@@ -77,8 +78,8 @@ const STYLE = `
 @media (min-width: 1100px) {
   [data-view="lab"] .lab { grid-template-columns: minmax(0, 1.28fr) minmax(0, 1fr); }
   .lab > * { grid-column: 1 / -1; }
-  .lab .left { grid-column: 1; block-size: clamp(36rem, calc(100dvh - 15rem), 72rem); grid-auto-rows: minmax(0, 1fr); }
-  .lab .right { grid-column: 2; block-size: clamp(36rem, calc(100dvh - 15rem), 72rem); grid-template-columns: repeat(6, minmax(0, 1fr)); grid-template-rows: 1fr 0.85fr 1.35fr; }
+  .lab .left { grid-column: 1; block-size: clamp(39rem, calc(100dvh - 15rem), 72rem); grid-auto-rows: minmax(0, 1fr); }
+  .lab .right { grid-column: 2; block-size: clamp(39rem, calc(100dvh - 15rem), 72rem); grid-template-columns: repeat(6, minmax(0, 1fr)); grid-template-rows: 1fr 0.95fr 1.25fr; }
   .lab .right .chart { min-block-size: 0; }
   .lab .chart-1 { grid-area: 1 / 1 / 2 / -1; }
   .lab .chart-U { grid-area: 2 / 1 / 3 / 5; }
@@ -89,7 +90,7 @@ const STYLE = `
 }
 @media (max-width: 1099.98px) {
   .lab .tabs { display: none; }
-  .lab .state { position: sticky; inset-block-end: 0; background: var(--ground); border-block-start: 1px solid var(--rule); padding-block: 0.4rem; z-index: 2; order: 9; }
+  .lab .state { border-block-start: 1px solid var(--rule); order: 9; }
   .lab .pair, .lab .compare { order: 8; }
 }
 @media (max-width: 699.98px) {
