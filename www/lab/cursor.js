@@ -41,6 +41,8 @@ export class Cursor {
   #picture = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   #trail = document.createElementNS("http://www.w3.org/2000/svg", "polyline");
   #dot = document.createElementNS("http://www.w3.org/2000/svg", "circle");
+  /** What was shown last: on a phone both charts may be hidden. @type {[number, number]} */
+  #range;
   /** @type {Place | null} */
   #place = null;
   /** @type {Place[]} */
@@ -54,9 +56,11 @@ export class Cursor {
    * @param {HTMLElement} home  The place of both charts, to which everything here is relative.
    * @param {Chart} chart  The stability chart, over mesh frequency and depth.
    * @param {Chart} branches
+   * @param {[number, number]} range  Of mesh frequencies, before either is drawn.
    * @param {Hooks} hooks
    */
-  constructor(home, chart, branches, hooks) {
+  constructor(home, chart, branches, range, hooks) {
+    this.#range = range;
     this.#home = home;
     this.#chart = chart;
     this.#branches = branches;
@@ -102,7 +106,8 @@ export class Cursor {
   /** The range of mesh frequencies that is shown. @returns {[number, number]} */
   get range() {
     const map = mapOf(this.#chart) ?? mapOf(this.#branches);
-    return map === null ? [0.01, 100] : [map.x.low, map.x.high];
+    if (map !== null) this.#range = [map.x.low, map.x.high];
+    return this.#range;
   }
 
   show() {

@@ -27,6 +27,8 @@ import { numberOf } from "./values.js";
 
 learn(words);
 
+/** Mesh frequencies at hand before any chart says which it shows. @type {[number, number]} */
+const RANGE = [0.4, 7];
 /** Charts of which the sentence and the flag speak. */
 const SPOKEN = new Set(["U", "P", "M"]);
 /** The sentence is heard when nothing has changed for so long, ms. */
@@ -79,7 +81,7 @@ class Laboratory {
     const omega = () => numberOf(pointOf(store.state), engine.vocabulary, "Omega");
 
     const left = element("div", "left", chart("T").place, chart("B").place);
-    this.#cursor = new Cursor(left, chart("T"), chart("B"), {
+    this.#cursor = new Cursor(left, chart("T"), chart("B"), RANGE, {
       omega,
       move: (to) => act("act.parameter", (state) => withPoint(state, { Omega: to }), { merge: "lab Omega" }),
       words: (at) => number(at, { digits: 6 }),

@@ -78,8 +78,8 @@ const STYLE = `
 @media (min-width: 1100px) {
   [data-view="lab"] .lab { grid-template-columns: minmax(0, 1.28fr) minmax(0, 1fr); }
   .lab > * { grid-column: 1 / -1; }
-  .lab .left { grid-column: 1; block-size: clamp(39rem, calc(100dvh - 15rem), 72rem); grid-auto-rows: minmax(0, 1fr); }
-  .lab .right { grid-column: 2; block-size: clamp(39rem, calc(100dvh - 15rem), 72rem); grid-template-columns: repeat(6, minmax(0, 1fr)); grid-template-rows: 1fr 0.95fr 1.25fr; }
+  .lab .left { grid-column: 1; block-size: clamp(36rem, calc(100dvh - 15rem), 72rem); grid-auto-rows: minmax(0, 1fr); }
+  .lab .right { grid-column: 2; block-size: clamp(36rem, calc(100dvh - 15rem), 72rem); grid-template-columns: repeat(6, minmax(0, 1fr)); grid-template-rows: 1fr 0.95fr 1.25fr; }
   .lab .right .chart { min-block-size: 0; }
   .lab .chart-1 { grid-area: 1 / 1 / 2 / -1; }
   .lab .chart-U { grid-area: 2 / 1 / 3 / 5; }
