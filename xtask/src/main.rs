@@ -25,7 +25,7 @@ cargo xtask test  [--quick]             all checks and tests; quick: no wasm lin
 cargo xtask bench                       measure natively, in Node and in Chromium; writes docs/benchmarks.md
 cargo xtask goldens                     draw the figures anew into tests/goldens/
 cargo xtask accuracy                    every reference number beside ours, into docs/accuracy.md
-cargo xtask screens                     pictures of the page into docs/screens/";
+cargo xtask screens [--no-build]        pictures of the whole page into docs/screens/, of a new build or of dist/";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -71,7 +71,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
             let test = ["test", "--quiet", "--test", "accuracy"];
             command::run(command::cargo(&test).env("ACCURACY", "renew"))
         }
-        "screens" => command::Options::read(rest, &[], &[]).and_then(|_| screens::screens()),
+        "screens" => screens::screens(&command::Options::read(rest, &[], &["--no-build"])?),
         "help" | "--help" | "-h" => {
             println!("{HELP}");
             Ok(())

@@ -2,7 +2,7 @@
 
 mod palette;
 
-use crate::command::{program, run};
+use crate::command::{Options, program, run};
 use crate::serve::{Prefix, Server};
 use crate::{Failure, build, place, tools};
 use palette::Palette;
@@ -13,10 +13,12 @@ use std::path::{Path, PathBuf};
 /// All pictures together may not be larger than this, in bytes: they are part of the repository.
 const CEILING: u64 = 8_000_000;
 
-/// Builds, serves, has Chromium take the pictures, and makes them small.
-pub fn screens() -> Result<(), Failure> {
+/// Builds, unless what is in `dist/` is to be pictured, serves, has Chromium take the pictures, and makes them small.
+pub fn screens(options: &Options) -> Result<(), Failure> {
     let dist = place::root().join("dist");
-    build::build(&dist)?.report();
+    if !options.flag("--no-build") {
+        build::build(&dist)?.report();
+    }
     tools::ensure_node_packages()?;
     let chromium = tools::ensure_chromium()?;
     let tiles = place::scratch().join("screens");

@@ -1,16 +1,18 @@
-//! 256 colours for a picture that has more: those it has most of exactly, so that ground, text and lines stay what they
+//! At most 256 colours for a picture that has more: those it has most of exactly, so that ground, text and lines stay what they
 //! are, and for the rest, which are ramps and soft edges, the means of what lies near together.
 
 use std::collections::{BTreeMap, HashMap};
 
 type Color = [u8; 3];
 
-/// Colours of a table of one byte.
+/// Colours of the table for a picture that fits a screen or two.
 const ALL: usize = 256;
-/// Those that are kept exactly.
-const EXACT: usize = 128;
+/// Those of a larger one: with more it looks the same but for its ramps, and the repository has not the room.
+const OF_LARGE: usize = 96;
+/// Pixels from which a picture is large.
+const LARGE: usize = 4_000_000;
 /// Sides of the grid's cells to be tried; the coarsest has fewer cells than the table has room for.
-const STEPS: [u8; 8] = [8, 12, 16, 20, 24, 32, 48, 64];
+const STEPS: [u8; 9] = [8, 12, 16, 20, 24, 32, 48, 64, 86];
 
 /// The table.
 pub struct Palette {
@@ -27,11 +29,13 @@ impl Palette {
         }
         let mut often: Vec<(Color, u32)> = counts.into_iter().collect();
         often.sort_unstable_by_key(|(color, count)| (std::cmp::Reverse(*count), *color));
-        if often.len() <= ALL {
+        let most = if pixels.len() < LARGE { ALL } else { OF_LARGE };
+        if often.len() <= most {
             return Self { colors: often.into_iter().map(|(color, _)| color).collect() };
         }
-        let mut colors: Vec<Color> = often[..EXACT].iter().map(|(color, _)| *color).collect();
-        colors.extend(means(&often[EXACT..], ALL - EXACT));
+        let (exact, rest) = often.split_at(most / 2);
+        let mut colors: Vec<Color> = exact.iter().map(|(color, _)| *color).collect();
+        colors.extend(means(rest, most - exact.len()));
         Self { colors }
     }
 
