@@ -8,6 +8,7 @@ mod failure;
 mod place;
 mod screens;
 mod serve;
+mod supply;
 mod tools;
 
 use failure::Failure;
@@ -25,6 +26,7 @@ cargo xtask test  [--quick]             all checks and tests; quick: no wasm lin
 cargo xtask bench                       measure natively, in Node and in Chromium; writes docs/benchmarks.md
 cargo xtask goldens                     draw the figures anew into tests/goldens/
 cargo xtask accuracy                    every reference number beside ours, into docs/accuracy.md
+cargo xtask dependencies                what is not ours, why and under which terms, into docs/dependencies.md
 cargo xtask screens [--no-build]        pictures of the whole page into docs/screens/, of a new build or of dist/";
 
 fn main() -> ExitCode {
@@ -71,6 +73,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
             let test = ["test", "--quiet", "--test", "accuracy"];
             command::run(command::cargo(&test).env("ACCURACY", "renew"))
         }
+        "dependencies" => command::Options::read(rest, &[], &[]).and_then(|_| supply::renew()),
         "screens" => screens::screens(&command::Options::read(rest, &[], &["--no-build"])?),
         "help" | "--help" | "-h" => {
             println!("{HELP}");

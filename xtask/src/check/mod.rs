@@ -4,7 +4,7 @@ mod count;
 
 use crate::command::{Options, cargo, not_started, program, run, succeeded};
 use crate::serve::{Prefix, Server};
-use crate::{Failure, build, place, tools};
+use crate::{Failure, build, place, supply, tools};
 use count::Count;
 use std::io::{BufRead, BufReader};
 use std::process::{Command, Stdio};
@@ -28,6 +28,7 @@ pub fn check(options: &Options) -> Result<(), Failure> {
 
 fn steps(check: &mut Run, quick: bool) -> Result<(), Failure> {
     check.step("formatting", |_| run(&mut cargo(&["fmt", "--all", "--check"])))?;
+    check.step("sources and terms of what is not ours", |_| supply::check())?;
     check.step("lints", |_| {
         run(&mut cargo(&["clippy", "--quiet", "--workspace", "--all-targets", "--", "-D", "warnings"]))
     })?;
