@@ -28,6 +28,10 @@ const TRANSIENT: f64 = 0.6;
 const TOLERANCE: f64 = 1e-10;
 /// A start is followed until it is this near the orbit it settles on, relative to 1 + the largest coordinate.
 const NEAR: f64 = 1e-3;
+/// The frame of a motion that escapes reaches no further than this.
+const FARTHEST: f64 = 40.0;
+/// So many points of the way are drawn as marks of their own.
+const FEW: usize = 400;
 /// Cells along each axis in which a second point is not drawn.
 const CELLS: f64 = 900.0;
 
@@ -172,6 +176,9 @@ impl TrajectoryMap {
         let (x, y) = all.fold((0.0_f64, 0.0_f64), |(x, y), state| {
             (x.max((state[0] - middle[0]).abs()), y.max((state[3] - middle[3]).abs()))
         });
+        // Where the motion escapes without bound its last points would leave nothing to be seen of the first.
+        let most = if matches!(self.end, Some(End::Escaped(_))) { FARTHEST } else { f64::INFINITY };
+        let (x, y) = (x.min(most), y.min(most));
         ((middle[0], middle[3]), (rounded_up(1.08 * x), rounded_up(1.08 * y)))
     }
 
@@ -191,7 +198,9 @@ impl TrajectoryMap {
         let mut way = Points::default();
         way.cloud(self.states[..cut].iter().map(place).filter(|at| seen.first_there(*at)));
         let line = Line::new("trajectory", "points of the map on their way", Role::Trajectory);
-        composer.add(frame, Mark::Cloud, line, way);
+        // Few points are looked at one by one, many as a cloud.
+        let mark = if way.x.len() <= FEW { Mark::Marks } else { Mark::Cloud };
+        composer.add(frame, mark, line, way);
         let mut seen = Thinning::new((x_0, y_0), (x, y), CELLS);
         let mut stays = Points::default();
         let late = if self.end == Some(End::Wandering) { &self.states[cut..] } else { &[] };
@@ -204,7 +213,9 @@ impl TrajectoryMap {
             _ => (0, None),
         };
         let meaning = format!("points of the motion of period {period}T");
-        let line = Line::new("orbit", meaning, Role::Attractor).label(&format!("period {period}*T*"), 0.0);
+        let line = Line::new("orbit", meaning, Role::Attractor);
+        let name = if period == 1 { "period *T*".to_owned() } else { format!("period {period}*T*") };
+        let line = line.label(&name, 0.0);
         let line = if let Some(stable) = stable { line.stable(stable) } else { line };
         composer.marks(frame, line, Points::plane(self.settled().iter().map(place)));
         if let Some(middle) = self.middle() {
