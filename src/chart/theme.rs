@@ -327,6 +327,7 @@ mod tests {
         }
         let print = Theme::by_name("print").unwrap();
         assert_eq!((print.ground, print.ink), (Color(255, 255, 255), Color(0, 0, 0)));
+        assert!(looks(&print).all(|(_, look)| look.text.contrast(print.ground) >= 7.0));
     }
 
     /// Hue of a colour, degrees.
