@@ -71,9 +71,7 @@ function begin(place, title) {
   for (const name of HEADS) {
     const cell = document.createElement("th");
     cell.scope = "col";
-    const words = say(`rows.${name}`);
-    if (name === "line") cell.setAttribute("aria-label", words);
-    else cell.textContent = words;
+    cell.textContent = say(`rows.${name}`);
     head.append(cell);
   }
   table.createTBody();
