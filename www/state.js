@@ -296,6 +296,41 @@ export class Store {
   }
 
   /**
+   * All that was changed about a figure.
+   *
+   * @param {string} key
+   * @param {State} [state]
+   */
+  shown(key, state = this.state) {
+    return figureOf(state, key);
+  }
+
+  /**
+   * Changes what is seen of a figure, and from where.
+   *
+   * @param {string} key
+   * @param {Partial<FigureState>} change
+   * @param {string} action  A key of the catalogue.
+   * @param {string} [merge]
+   */
+  show(key, change, action, merge) {
+    this.act(action, (state) => withFigure(state, key, change), { merge: merge === undefined ? undefined : `${key} ${merge}` });
+  }
+
+  /**
+   * Takes back all that was changed about a figure.
+   *
+   * @param {string} key
+   * @param {Given} start  What its own attributes give.
+   */
+  reset(key, start) {
+    const names = this.#shared.get(key) ?? [];
+    const own = Object.fromEntries(Object.entries(start).filter(([name]) => !names.includes(name)));
+    const shared = Object.fromEntries(names.map((name) => [name, start[name]]));
+    this.act("act.reset", (state) => withPoint(withFigure(state, key, { ...UNTOUCHED, given: own }), shared));
+  }
+
+  /**
    * What a figure's own attributes give: it counts where nothing else was given, and is nobody's action.
    *
    * @param {string} key

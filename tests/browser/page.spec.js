@@ -14,6 +14,7 @@ test("every figure has its heading, its caption, its words for the ear and its s
           id: element.id,
           role: canvas?.getAttribute("role"),
           label: canvas?.getAttribute("aria-label") ?? "",
+          described: element.shadowRoot?.getElementById(canvas?.getAttribute("aria-describedby")?.split(" ")[0] ?? "")?.textContent ?? "",
           alt: image?.alt ?? "",
           drawing: await (await fetch(image?.src ?? "")).text(),
           ratio: Number(image?.getAttribute("width")) / Number(image?.getAttribute("height")),
@@ -23,9 +24,10 @@ test("every figure has its heading, its caption, its words for the ear and its s
     ),
   );
   expect(found.map(({ id }) => id)).toEqual(IDS.map((id) => `fig-${id}`));
-  for (const { id, role, label, alt, drawing, ratio, aspect } of found) {
-    expect(role, id).toBe("img");
-    expect(label.length, id).toBeGreaterThan(20);
+  for (const { id, role, label, described, alt, drawing, ratio, aspect } of found) {
+    expect(role, id).toBe("application");
+    expect(label.length, id).toBeGreaterThan(10);
+    expect(described.length, id).toBeGreaterThan(20);
     expect(alt.length, id).toBeGreaterThan(10);
     expect(drawing, id).toContain("<svg");
     // As wide over high as the live one, or the page would jump.

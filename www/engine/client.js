@@ -7,6 +7,7 @@
  * @typedef {import("../../gear-bifurcations.js").FigureInfo} FigureInfo
  * @typedef {import("../../gear-bifurcations.js").ParameterInfo} ParameterInfo
  * @typedef {import("../../gear-bifurcations.js").FrameMap} FrameMap
+ * @typedef {import("../../gear-bifurcations.js").SeriesLook} SeriesLook
  * @typedef {import("../../gear-bifurcations.js").DrawOptions} DrawOptions
  * @typedef {import("./protocol.js").Given} Given
  */
@@ -46,9 +47,18 @@ function shortForm(info) {
  */
 const AT_ONCE = /^(\d|T$)/;
 
+/** What may be computed in the page's own thread, ms: half a frame. */
+const MOMENT = 8;
+/** What takes longer so many times running is left to the workers. */
+const PATIENCE = 3;
+
 export class Engine {
   #gear;
   #pool;
+  /** Figures that are not computed in a moment. @type {Set<string>} */
+  #slow = new Set();
+  /** How often each took longer the last times. @type {Map<string, number>} */
+  #late = new Map();
   #open = () => {};
   /** @type {Promise<void>} */
   #opened = new Promise((resolve) => {
@@ -122,10 +132,37 @@ export class Engine {
    * @param {Figure} figure
    * @param {HTMLCanvasElement} canvas
    * @param {DrawOptions} options
-   * @returns {FrameMap[]}
+   * @returns {{frames: FrameMap[], looks: SeriesLook[]}}
    */
   draw(figure, canvas, options) {
-    return this.#gear.draw(figure, undefined, canvas, options).frames;
+    return this.#gear.draw(figure, undefined, canvas, options);
+  }
+
+  /**
+   * A figure computed here and now, if it is made of formulas and takes a moment: it is then drawn in the very frame in
+   * which its parameters changed. Null where that would hold up the page; nothing is known of errors then.
+   *
+   * @param {string} id
+   * @param {Given} given
+   * @returns {Figure | null}
+   */
+  glance(id, given) {
+    if (this.#slow.has(id) || this.figures.get(id)?.heavy !== false) return null;
+    const begin = performance.now();
+    const steps = this.#gear.progress(id, given);
+    try {
+      const { value } = steps.next();
+      const whole = value?.done === true;
+      // A busy machine makes one call slow, but not one after the other.
+      const late = performance.now() - begin > MOMENT ? (this.#late.get(id) ?? 0) + 1 : 0;
+      this.#late.set(id, late);
+      if (!whole || late >= PATIENCE) this.#slow.add(id);
+      return whole ? value.figure : null;
+    } catch {
+      return null;
+    } finally {
+      steps.return?.();
+    }
   }
 
   /**

@@ -1,11 +1,13 @@
 /**
- * How figures are to look at present: light or dark, and how many pixels of the screen a CSS pixel has.
+ * How figures are to look at present: the theme, and how many pixels of the screen a CSS pixel has.
  *
- * @typedef {"light" | "dark"} Theme
- * @typedef {import("../state.js").ThemeChoice} ThemeChoice
+ * @typedef {import("../engine/gear-bifurcations.js").ThemeName} ThemeName
+ * @typedef {import("../state.js").State} State
  */
 
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
+const prefersContrast = matchMedia("(prefers-contrast: more)");
+const forcesColors = matchMedia("(forced-colors: active)");
 const prefersStill = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** @type {Set<() => void>} */
@@ -17,13 +19,24 @@ const LEAST_DENSITY = 2;
 /** More pixels than this a CSS pixel nobody tells apart. */
 const MOST_DENSITY = 8;
 
+/** Themes that an attribute can name. @type {ReadonlySet<string>} */
+const NAMED = new Set(["light", "dark", "projector", "contrast", "contrast-dark", "print"]);
+
 /**
- * @param {ThemeChoice | string | null} choice
- * @returns {Theme}
+ * The theme of a figure: what its own attribute says, else what the page's state says, else what the system prefers.
+ *
+ * @param {string | null} own
+ * @param {Pick<State, "theme" | "projector">} state
+ * @returns {ThemeName}
  */
-export function resolveTheme(choice) {
-  if (printing) return "light";
-  if (choice === "light" || choice === "dark") return choice;
+export function resolveTheme(own, { theme, projector }) {
+  if (printing) return "print";
+  if (own !== null && NAMED.has(own)) return /** @type {ThemeName} */ (own);
+  if (projector) return "projector";
+  const contrast = prefersDark.matches ? "contrast-dark" : "contrast";
+  if (theme === "contrast") return contrast;
+  if (theme === "light" || theme === "dark") return theme;
+  if (prefersContrast.matches || forcesColors.matches) return contrast;
   return prefersDark.matches ? "dark" : "light";
 }
 
@@ -69,12 +82,12 @@ function watchDensity() {
 }
 
 watchDensity();
-prefersDark.addEventListener("change", tell);
+for (const preference of [prefersDark, prefersContrast, forcesColors]) preference.addEventListener("change", tell);
 // Text that was drawn before its typeface had come.
 document.fonts.addEventListener("loadingdone", tell);
 
 /**
- * Paper is white: figures are drawn light for it.
+ * Paper is white: figures are drawn for it.
  *
  * @param {() => void} paintNow  Draws what waits, at once.
  */

@@ -17,6 +17,18 @@ const ARROWS = /** @type {const} */ ([
 ]);
 
 /**
+ * The button that shows the whole again; it is there only while a part is seen.
+ *
+ * @param {() => void} press
+ */
+export function wholeButton(press) {
+  const made = button(say("figure.whole"), say("figure.whole"), press);
+  made.classList.add("whole");
+  made.hidden = true;
+  return made;
+}
+
+/**
  * @param {{clock: Clock | null, turning: Turning | null, reset: () => void, stop: () => void}} wiring
  * @returns {{buttons: HTMLButtonElement[], showPlaying: () => void, showBusy: (busy: boolean) => void}}
  */

@@ -8,6 +8,7 @@
 /**
  * @typedef {object} Hooks
  * @property {(given: Given, run: {signal: AbortSignal, partial: (figure: Figure) => void}) => Promise<Figure>} compute
+ * @property {(given: Given) => Figure | null} now  What can be had at once.
  * @property {(figure: Figure, complete: boolean) => void} show
  * @property {(error: Error) => void} fail
  * @property {boolean} heavy  Worth being abandoned halfway; what is quick is awaited instead, so that a picture
@@ -42,6 +43,13 @@ export class Computation {
   /** @param {Given} given */
   wish(given) {
     if (this.#answer.settled) this.#answer = new Deferred();
+    const now = this.#hooks.now(given);
+    if (now !== null) {
+      this.stop();
+      this.#hooks.show(now, true);
+      this.#answer.resolve(now);
+      return;
+    }
     // What is abandoned before its first picture, value after value, would never show one while a slider moves.
     if (this.#running !== null && !(this.#hooks.heavy && this.#pictured)) {
       this.#waiting = given;

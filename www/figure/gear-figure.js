@@ -2,10 +2,11 @@
  * `<gear-figure figure="11a" omega="1.65">`: one live figure. Until its first live drawing stands in the canvas, the
  * static drawing in its light DOM is shown in the very same place.
  *
- * Attributes: `figure`, parameters by name in any letter case, `controls="full|compact|none"`, `theme="light|dark|auto"`.
- * Methods: `data()`, `map()`, `reset()`, `play()`, `pause()`. Events, bubbling and composed: `gear-ready` when the first
- * complete figure is there, `gear-change` when one with other parameters is, `gear-error` with the error's fields; and
- * `gear-paint`, which does not bubble, after every drawing.
+ * Attributes: `figure`, parameters by name in any letter case, `controls="full|compact|none"`, `theme`, one of the module's
+ * or `auto`. Methods: `data()`, `map()`, `reset()`, `play()`, `pause()`. Events, bubbling and composed: `gear-ready` when the
+ * first complete figure is there, `gear-change` when one with other parameters is, `gear-error` with the error's fields,
+ * `gear-pick` when a place of a plane is clicked or Enter pressed on a point, `gear-cursor` when a value is read off an axis;
+ * and `gear-paint`, which does not bubble, after every drawing.
  *
  * @typedef {import("./services.js").Services} Services
  * @typedef {import("./services.js").Figure} Figure
@@ -21,18 +22,20 @@ import { spoken, spokenFigure } from "../words/engine.js";
 import { onLanguage, say } from "../words/say.js";
 import { coarseDensity, density, onAppearance, resolveTheme, wantsStill } from "./appearance.js";
 import { givenByAttributes } from "./attributes.js";
-import { createButtons } from "./bar.js";
+import { createButtons, wholeButton } from "./bar.js";
 import { Computation } from "./computation.js";
 import { frameAt, pixelUnder } from "./frames.js";
+import { Legend, hiddenSeries } from "./legend.js";
 import { plain, sentence } from "./markup.js";
 import { Clock } from "./motion.js";
 import { forgetPaint, requestPaint } from "./paint-queue.js";
-import { watchPointer } from "./pointer.js";
+import { Reach } from "./reach.js";
 import { showRows } from "./rows.js";
 import { services } from "./services.js";
 import { furnish } from "./shadow.js";
 import { showTables } from "./table.js";
-import { Turning } from "./turning.js";
+import { FIRST, Turning } from "./turning.js";
+import { sound } from "./windows.js";
 
 /** What takes longer than this says that it is being computed, ms. */
 const NOTICEABLE = 400;
@@ -44,6 +47,9 @@ const STATIC_AFTER = 600;
 const MARGIN = "100px";
 
 let anonymous = 0;
+
+/** @type {Readonly<import("../state.js").FigureState>} */
+const UNCHANGED = Object.freeze({ given: {}, windows: {}, hidden: [], view: null });
 
 export class GearFigure extends HTMLElement {
   #parts = furnish(this.attachShadow({ mode: "open" }));
@@ -59,6 +65,11 @@ export class GearFigure extends HTMLElement {
   #computed = null;
   /** @type {FrameMap[]} */
   #maps = [];
+  /** Names of the series that are switched off. @type {Set<string>} */
+  #hidden = new Set();
+  #reach;
+  #legend;
+  #whole = wholeButton(() => this.#reach.showWhole());
   /** @type {Panel | null} */
   #panel = null;
   /** @type {Turning | null} */
@@ -79,6 +90,8 @@ export class GearFigure extends HTMLElement {
   #questions = 0;
   /** Its question waits until it is shown. */
   #postponed = false;
+  /** Whether the answer comes while it is asked for. */
+  #asking = false;
   #announced = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #notice;
@@ -93,13 +106,25 @@ export class GearFigure extends HTMLElement {
 
   constructor() {
     super();
-    watchPointer(this.#parts.canvas, {
+    this.#reach = new Reach(this.#parts.canvas, this.#parts, {
       figure: () => this.#figure,
       maps: () => this.#maps,
+      shown: ({ name }) => !this.#hidden.has(name),
+      windows: () => this.#shown.windows,
+      look: (windows, gesture) => this.#services?.store.show(this.#key, { windows }, "act.window", gesture),
       read: (words) => this.#parts.readout.replaceChildren(words ?? ""),
+      speak: (words) => {
+        this.#parts.heard.textContent = words;
+      },
       hasParameter: (name) => this.#info?.parameters.some((info) => info.name === name) ?? false,
-      set: (name, value) => this.#set(name, value, true),
+      set: (name, value) => this.#set(name, value),
+      hold: (held) => (held ? this.#services?.store.hold() : this.#services?.store.release()),
+      pick: (detail) => this.#tell("gear-pick", { figure: this.#info?.id ?? "", ...detail }),
+      inSight: () => this.inSight,
     });
+    this.#legend = new Legend(this.#parts.legend, (hidden) => this.#services?.store.show(this.#key, { hidden }, "act.hidden"));
+    // A context that was lost has forgotten everything.
+    this.#parts.canvas.addEventListener("contextrestored", () => this.#repaint());
     this.#parts.data.addEventListener("toggle", () => this.#tabulate());
   }
 
@@ -119,6 +144,7 @@ export class GearFigure extends HTMLElement {
       else this.#readAttributes();
     });
     attributes.observe(this, { attributes: true });
+    signal.addEventListener("abort", this.#reach.link(this));
     signal.addEventListener("abort", () => {
       sight.disconnect();
       size.disconnect();
@@ -167,12 +193,11 @@ export class GearFigure extends HTMLElement {
     return this.#maps.length === 0 ? null : { frames: this.#maps };
   }
 
-  /** Takes the page's own parameters back, and looks from where it looked at first. */
+  /** Takes the page's own parameters back, and looks at all of it from where it looked at first: one action. */
   reset() {
     this.#panel?.complain(null, null);
-    this.#services?.store.give(this.#key, this.#start);
-    this.#panel?.show(this.#start);
-    this.#turning?.press("Home");
+    this.#services?.store.reset(this.#key, this.#start);
+    this.#panel?.show(this.#given);
   }
 
   play() {
@@ -189,18 +214,29 @@ export class GearFigure extends HTMLElement {
   paint() {
     const { stage, canvas } = this.#parts;
     if (this.#figure === null || this.#services === null || stage.clientWidth < NARROWEST) return;
-    const theme = resolveTheme(this.getAttribute("theme") ?? this.#services.store.state.theme);
-    const view = { ...this.#turning?.direction, ...(this.#clock && { time: this.#clock.time }) };
+    const theme = resolveTheme(this.getAttribute("theme"), this.#services.store.state);
+    const { windows, hidden } = this.#shown;
+    this.#hidden = hiddenSeries(this.#figure, hidden);
+    const view = {
+      ...this.#turning?.direction,
+      ...(this.#clock && { time: this.#clock.time }),
+      windows: sound(windows, this.#figure.axes),
+      hidden: [...this.#hidden],
+    };
     // While the page opens, what is out of sight need not be fine yet: that makes room for what is seen.
     this.#coarse = !this.#settled && !this.inSight && density() > coarseDensity();
     const pixels = this.#coarse ? coarseDensity() : density();
     fitStore(canvas, stage, pixels);
     try {
-      this.#maps = this.#services.engine.draw(this.#figure, canvas, { theme, density: pixels, view });
+      const { frames, looks } = this.#services.engine.draw(this.#figure, canvas, { theme, density: pixels, view });
+      this.#maps = frames;
+      this.#legend.show(this.#figure, looks, hidden);
     } catch (thrown) {
       this.#complain(thrown);
       return;
     }
+    this.#whole.hidden = !this.#reach.zoomed;
+    this.#reach.painted();
     this.dispatchEvent(new Event("gear-paint"));
     if (stage.classList.contains("live")) return;
     stage.classList.add("live");
@@ -217,7 +253,8 @@ export class GearFigure extends HTMLElement {
     const picture = this.querySelector("img");
     const [width, height] = [Number(picture?.getAttribute("width")), Number(picture?.getAttribute("height"))];
     if (width > 0 && height > 0) this.#parts.stage.style.setProperty("--aspect", String(width / height));
-    this.#parts.canvas.setAttribute("aria-label", picture?.alt ?? "");
+    this.#parts.canvas.setAttribute("aria-label", this.#title ?? picture?.alt ?? "");
+    this.#parts.described.textContent = picture?.alt ?? "";
     if (picture !== null) this.#holdBack(picture);
   }
 
@@ -269,6 +306,8 @@ export class GearFigure extends HTMLElement {
           priority: this.inSight || this.#stands() ? priority.shown : priority.hidden,
           restarted: () => this.#say(say("figure.replaced")),
         }),
+      // The first picture of all figures is the workers': here they would come one after another.
+      now: (given) => (this.#questions > 1 && this.inSight ? engine.glance(id, given) : null),
       show: (figure, complete) => this.#show(figure, complete),
       fail: (error) => this.#complain(error),
     });
@@ -289,7 +328,9 @@ export class GearFigure extends HTMLElement {
         this.#panel?.show(given);
         this.#wish();
       }
-      if (state.theme !== before.theme) this.#repaint();
+      const [now, then] = [store.shown(this.#key, state), store.shown(this.#key, before)];
+      if (now !== then) this.#face(now.view);
+      if (now !== then || state.theme !== before.theme || state.projector !== before.projector) this.#repaint();
     });
     signal.addEventListener("abort", unsubscribe);
   }
@@ -303,7 +344,6 @@ export class GearFigure extends HTMLElement {
     if (info.animated) {
       this.#clock = new Clock(() => requestPaint(this));
       this.#clock.seen = this.inSight;
-      canvas.tabIndex = 0;
       canvas.onkeydown = (event) => {
         if (event.key !== " ") return;
         event.preventDefault();
@@ -314,10 +354,15 @@ export class GearFigure extends HTMLElement {
     if (info.turnable) {
       this.#turning ??= new Turning(canvas, {
         takes: (event) => (frameAt(this.#maps, pixelUnder(event, canvas))?.projection ?? null) !== null,
-        turn: () => this.#repaint(),
+        turn: (view) => this.#services?.store.show(this.#key, { view: view === FIRST ? null : view }, "act.turn", "turn"),
       });
+      this.#face(this.#shown.view);
     }
     this.#buildButtons(buttons);
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "application");
+    canvas.setAttribute("aria-describedby", `${this.#parts.described.id} ${this.#parts.keys.id}`);
+    this.#speakAnew();
     if (info.animated && !wantsStill()) provided.later(() => this.play());
     this.#showPlaying();
   }
@@ -332,18 +377,42 @@ export class GearFigure extends HTMLElement {
     });
     this.#showPlaying = made.showPlaying;
     this.#showBusy = made.showBusy;
-    place.replaceChildren(...made.buttons);
+    place.replaceChildren(this.#whole, ...made.buttons);
     this.#showPlaying();
+  }
+
+  /** Says in the language of the page what does not come from the module. */
+  #speakAnew() {
+    this.#parts.canvas.setAttribute("aria-roledescription", say("figure.chart"));
+    this.#parts.canvas.setAttribute("aria-label", this.#title ?? plain(this.#figure?.title ?? this.#info?.title ?? ""));
+    this.#parts.keys.textContent = say(this.#info?.turnable ? "figure.keys.turn" : "figure.keys");
+    this.#whole.textContent = say("figure.whole");
+    this.#repaint();
   }
 
   #buildPanel() {
     const extent = this.getAttribute("controls") ?? "full";
     if (this.#panel !== null || this.#info === null || extent === "none") return;
     this.#panel = createPanel(this.#info.parameters, this.#given, extent === "compact" ? extent : "full", {
-      change: (name, value) => this.#set(name, value, false),
+      change: (name, value) => this.#set(name, value),
       refuse: (problem) => this.#tell("gear-error", problem),
     });
     this.#parts.controls.replaceChildren(this.#panel.element);
+  }
+
+  /** The heading that stands over the figure. */
+  get #title() {
+    return this.closest("figure")?.querySelector("h2, h3, h4, h5")?.textContent?.trim() ?? null;
+  }
+
+  /** What of the figure is seen. */
+  get #shown() {
+    return this.#services?.store.shown(this.#key) ?? UNCHANGED;
+  }
+
+  /** @param {import("./turning.js").Direction | null} view */
+  #face(view) {
+    if (this.#turning !== null) this.#turning.direction = view ?? FIRST;
   }
 
   /** The parameters that were given, by name; what is not among them is the figure's own. */
@@ -354,12 +423,9 @@ export class GearFigure extends HTMLElement {
   /**
    * @param {string} name
    * @param {number | string} value
-   * @param {boolean} show  Whether the controls have yet to be told.
    */
-  #set(name, value, show) {
-    const given = { ...this.#given, [name]: value };
-    this.#services?.store.give(this.#key, given);
-    if (show) this.#panel?.show(given);
+  #set(name, value) {
+    this.#services?.store.give(this.#key, { ...this.#given, [name]: value });
   }
 
   #readAttributes() {
@@ -397,7 +463,9 @@ export class GearFigure extends HTMLElement {
       this.#say(say("figure.computing"));
       this.#showBusy(true);
     }, NOTICEABLE);
+    this.#asking = true;
     this.#computation?.wish(this.#given);
+    this.#asking = false;
   }
 
   /**
@@ -413,12 +481,17 @@ export class GearFigure extends HTMLElement {
     if (figure.table !== null) showRows(this.#parts.rows, figure);
     // Nobody watches a figure out of sight fill in.
     if (complete || first || this.inSight) this.#repaint();
+    if (this.#asking) {
+      // This is the frame in which the parameters changed: the picture is in it.
+      forgetPaint(this);
+      this.paint();
+    }
     if (!complete) return;
     clearTimeout(this.#notice);
     this.#showBusy(false);
     if (this.#blamed !== null) this.#panel?.complain(this.#blamed, null);
     this.#blamed = null;
-    this.#parts.canvas.setAttribute("aria-label", plain(figure.summary));
+    this.#parts.described.textContent = plain(figure.summary);
     this.#say(figure.notes.join(" "));
     this.#tabulate();
     // Twenty figures that all speak when the page opens are noise; one that answers its reader is not.
@@ -478,7 +551,8 @@ export class GearFigure extends HTMLElement {
       this.#parts.rows.replaceChildren();
       showRows(this.#parts.rows, this.#figure);
     }
-    this.#parts.canvas.setAttribute("aria-label", plain(this.#figure.summary));
+    this.#parts.described.textContent = plain(this.#figure.summary);
+    this.#speakAnew();
     const busy = this.#computation?.busy ?? false;
     this.#showBusy(busy);
     this.#say(busy ? say("figure.computing") : this.#figure.notes.join(" "));

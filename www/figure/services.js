@@ -7,7 +7,10 @@
  * @typedef {import("../engine/gear-bifurcations.js").FrameMap} FrameMap
  * @typedef {import("../engine/gear-bifurcations.js").DrawOptions} DrawOptions
  * @typedef {import("../engine/gear-bifurcations.js").GearErrorFields} GearErrorFields
+ * @typedef {import("../engine/gear-bifurcations.js").SeriesLook} SeriesLook
  * @typedef {import("../state.js").Given} Given
+ * @typedef {import("../state.js").Window} Window
+ * @typedef {import("../state.js").FigureState} FigureState
  * @typedef {import("../state.js").State} State
  */
 
@@ -26,7 +29,8 @@
  * @property {ReadonlyMap<string, FigureInfo>} figures
  * @property {ReadonlyMap<string, ParameterInfo>} vocabulary
  * @property {(id: string, given: Given, options: ComputeOptions) => Promise<Figure>} compute
- * @property {(figure: Figure, canvas: HTMLCanvasElement, options: DrawOptions) => FrameMap[]} draw
+ * @property {(id: string, given: Given) => Figure | null} glance  What takes but a moment, here and now; null for the rest.
+ * @property {(figure: Figure, canvas: HTMLCanvasElement, options: DrawOptions) => {frames: FrameMap[], looks: SeriesLook[]}} draw
  */
 
 /**
@@ -38,6 +42,11 @@
  * @property {(key: string, given: Given) => void} give  An action of the reader.
  * @property {(key: string, given: Given) => void} start  What counts where nothing was given.
  * @property {(key: string) => void} forget
+ * @property {(key: string, state?: State) => Readonly<FigureState>} shown  All that the reader has changed about the figure.
+ * @property {(key: string, change: Partial<FigureState>, action: string, merge?: string) => void} show  An action of the reader.
+ * @property {(key: string, start: Given) => void} reset
+ * @property {() => void} hold  What is done until `release` is one action.
+ * @property {() => void} release
  * @property {(subscriber: (state: State, before: State) => void) => () => void} subscribe
  */
 

@@ -4,6 +4,11 @@
  * @typedef {object} Parts
  * @property {HTMLElement} stage  Canvas and static drawing, in the very same place.
  * @property {HTMLCanvasElement} canvas
+ * @property {HTMLElement} layer  Over the picture: crosshair and cursors.
+ * @property {HTMLElement} band  Over the picture: the rectangle that is being drawn.
+ * @property {HTMLElement} described  For the ear: the sentence that says what the picture shows.
+ * @property {HTMLElement} keys  For the ear: what keys do.
+ * @property {HTMLElement} legend
  * @property {HTMLElement} readout
  * @property {HTMLElement} buttons
  * @property {HTMLElement} status  For the eye.
@@ -24,6 +29,22 @@ const STYLE = `
 .stage > slot { position: absolute; inset: 0; display: block; }
 .stage.live > slot { display: none; }
 ::slotted(img) { inline-size: 100%; block-size: 100%; object-fit: contain; }
+.stage > canvas { touch-action: pan-x pan-y; }
+.layer { position: absolute; inset: 0; overflow: hidden; pointer-events: none; }
+.layer > * { position: absolute; inset-block-start: 0; left: 0; }
+.layer > [hidden] { display: none; }
+.upright, .level, .linked { border: 0 solid var(--quiet, #555); border-inline-start-width: 1px; border-block-start-width: 1px; opacity: 0.55; }
+.linked { border-color: var(--accent, #0072b2); opacity: 0.9; }
+.dot { border: 2px solid var(--ink, #1a1a1a); border-radius: 50%; }
+.band { border: 1px solid var(--accent, #0072b2); background: color-mix(in srgb, var(--accent, #0072b2) 12%, transparent); }
+.legend { display: flex; gap: 0.125rem 0.25rem; min-block-size: 2rem; overflow-x: auto; scrollbar-width: thin; margin-inline: -0.4rem; }
+.legend:empty { visibility: hidden; }
+:host([controls="none"]) .legend { display: none; }
+button.entry { display: inline-flex; flex: none; align-items: center; gap: 0.35rem; font-size: 0.875rem; text-decoration: none; padding: 0 0.4rem; min-block-size: 1.75rem; }
+.entry[aria-pressed="false"] { color: var(--quiet, #555); text-decoration: line-through; }
+.entry[aria-pressed="false"] > svg { opacity: 0.35; }
+.swatch { inline-size: 26px; block-size: 14px; flex: none; fill: none; forced-color-adjust: none; }
+.swatch.growth { background: linear-gradient(to right, #ffea46, #8a8779, #00204d); }
 canvas.turns { cursor: grab; }
 canvas.turns.grasped { cursor: grabbing; }
 canvas.plane { cursor: crosshair; }
@@ -92,7 +113,8 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
   .panel-place { min-block-size: calc(var(--control) + var(--summary)); }
 }
 @media (pointer: coarse) {
-  button, input[role="spinbutton"], select { min-block-size: 2.75rem; min-inline-size: 2.75rem; }
+  button, button.entry, input[role="spinbutton"], select { min-block-size: 2.75rem; min-inline-size: 2.75rem; }
+  .legend { min-block-size: 3rem; }
   input[type="range"] { min-block-size: 2.75rem; }
   .panel-place { --control: 6rem; --summary: 2.75rem; }
   .control { grid-template-rows: 2.75rem auto; }
@@ -100,14 +122,19 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 }
 :host([fit]) { display: grid !important; grid-template-rows: minmax(0, 1fr) auto; position: relative; }
 :host([fit]) .stage { aspect-ratio: auto; min-block-size: 0; margin-inline: var(--inset-start, 0) var(--inset-end, 0); }
-:host([fit]) :is(.panel-place, .rows) { display: none; }
+:host([fit]) :is(.panel-place, .rows, .legend) { display: none; }
 :host([fit]) .bar { position: absolute; inset-block-start: -1.6rem; inset-inline: 45% 0; min-block-size: 1.5rem; margin: 0; grid-template-columns: minmax(0, 1fr) auto; }
 :host([fit]) .readout { text-align: end; white-space: nowrap; text-overflow: ellipsis; }
 :host([fit]) .buttons button.reset, :host([fit]) .data:not([open]) { display: none; }
 :host([fit]) .status:not(.wrong) { display: none; }
 :host([fit]) .status.wrong { position: absolute; inset-block-start: 100%; inset-inline: 0; background: var(--ground, #fff); }
+@media (forced-colors: active) {
+  .upright, .level, .linked, .band { border-color: CanvasText; opacity: 1; }
+  .linked { border-style: dashed; }
+  .entry[aria-pressed="true"] { border-color: ButtonText; }
+}
 @media print {
-  .bar, .panel-place, .data { display: none; }
+  .bar, .legend, .panel-place, .data, .layer { display: none; }
 }
 `;
 
@@ -129,8 +156,20 @@ export function furnish(root) {
 
   const canvas = document.createElement("canvas");
   canvas.setAttribute("role", "img");
+  const layer = part("div", "layer");
+  layer.setAttribute("aria-hidden", "true");
+  const band = part("div", "band");
+  band.hidden = true;
+  layer.append(band);
+  const described = part("p", "heard");
+  described.id = "described";
+  const keys = part("p", "heard");
+  keys.id = "keys";
+  // They are heard with the chart that they describe, not a second time by themselves.
+  described.hidden = keys.hidden = true;
+  const legend = part("div", "legend");
   const stage = part("div", "stage");
-  stage.append(document.createElement("slot"), canvas);
+  stage.append(document.createElement("slot"), canvas, layer);
   const readout = part("p", "readout");
   const buttons = part("div", "buttons");
   const bar = part("div", "bar");
@@ -145,8 +184,8 @@ export function furnish(root) {
   summary.textContent = say("figure.in-words");
   data.append(summary);
   const rows = part("div", "rows");
-  root.append(stage, bar, heard, controls, rows, data);
-  return { stage, canvas, readout, buttons, status, heard, controls, rows, data };
+  root.append(stage, described, keys, legend, bar, heard, controls, rows, data);
+  return { stage, canvas, layer, band, described, keys, legend, readout, buttons, status, heard, controls, rows, data };
 }
 
 /**

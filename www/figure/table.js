@@ -8,6 +8,7 @@
  */
 
 import { number, say } from "../words/say.js";
+import { FURNITURE } from "./furniture.js";
 import { elements, plain, sentence } from "./markup.js";
 
 /** Rows in all tables of a figure together. */
@@ -17,8 +18,6 @@ const FEWEST = 6;
 /** Digits of a number in a table: what a reader may want to check, not all that is known. */
 const DIGITS = 7;
 
-/** What is drawn but says nothing in numbers. */
-const SHAPES = new Set(["body-first", "body-second", "link", "dead-zone", "reference"]);
 
 /**
  * Puts the figure's words and tables under the summary of its details.
@@ -57,7 +56,7 @@ function tables(figure) {
     return [table(say("table.motion"), columns, ROWS)];
   }
   const told = figure.series.filter(
-    ({ role, mark, columns }) => !SHAPES.has(role) && !["text", "band", "field"].includes(mark) && columns.x.length > 0,
+    ({ role, mark, columns }) => !FURNITURE.has(role) && !["text", "band", "field"].includes(mark) && columns.x.length > 0,
   );
   const rows = Math.max(FEWEST, Math.floor(ROWS / Math.max(1, told.length)));
   return told.map((series) => seriesTable(figure, series, rows));

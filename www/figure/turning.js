@@ -11,7 +11,7 @@
  */
 
 /** From where views in space are seen at first, radians: as `chart::View` has it. @type {Direction} */
-const FIRST = Object.freeze({ azimuth: -Math.PI / 3, elevation: (24 * Math.PI) / 180 });
+export const FIRST = Object.freeze({ azimuth: -Math.PI / 3, elevation: (24 * Math.PI) / 180 });
 /** Radians a CSS pixel: a drag across a hand's width is half a turn. */
 const DRAG = 0.011;
 /** Radians a key. */
@@ -37,7 +37,6 @@ export class Turning {
    */
   constructor(canvas, hooks) {
     this.#hooks = hooks;
-    canvas.tabIndex = 0;
     canvas.style.touchAction = "pan-y";
     canvas.addEventListener("pointerdown", (event) => this.#grasp(canvas, event));
     canvas.addEventListener("keydown", (event) => {
@@ -76,7 +75,7 @@ export class Turning {
     canvas.addEventListener(
       "pointermove",
       (move) => {
-        if (move.pointerId !== down.pointerId) return;
+        if (move.pointerId !== down.pointerId || canvas.classList.contains("pinched")) return;
         // The nearer side goes with the pointer.
         this.#by({ azimuth: -DRAG * (move.clientX - clientX), elevation: DRAG * (move.clientY - clientY) });
         ({ clientX, clientY } = move);

@@ -193,7 +193,7 @@ export class Compare {
   /** @param {Figure | undefined} figure */
   #picture(figure) {
     const { engine, store } = this.#services;
-    const theme = resolveTheme(store.state.theme);
+    const theme = resolveTheme(null, store.state);
     const known = figure === undefined ? undefined : this.#pictures.get(figure);
     if (known !== undefined && known.theme === theme) return known.canvas;
     const canvas = element("canvas", "");
