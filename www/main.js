@@ -18,7 +18,7 @@ import { startStory } from "./story/story.js";
 import { parse } from "./url.js";
 import { words as figureWords } from "./words/en/figure.js";
 import { words as shellWords } from "./words/en/shell.js";
-import { translateEngine } from "./words/engine.js";
+import { spoken, translateEngine } from "./words/engine.js";
 import { translate } from "./words/page.js";
 import { learn, number, say, speak } from "./words/say.js";
 
@@ -251,6 +251,9 @@ async function chooseLanguage(chosen) {
   const { german: words, engine: patterns } = chosen === "de" ? await import("./words/de/index.js") : { german: null, engine: null };
   if (store.state.language !== chosen) return;
   translateEngine(patterns);
+  void engine.then((running) => {
+    running.words = patterns === null ? null : spoken;
+  });
   speak(chosen, words);
   document.documentElement.lang = chosen;
   translate(document, words);

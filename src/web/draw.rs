@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::HtmlCanvasElement;
-use web_sys::js_sys::{Array, Float64Array};
+use web_sys::js_sys::{Array, Float64Array, Function};
 
 use crate::chart::drawing::{Drawing, Series};
 use crate::chart::svg::check_size;
@@ -36,15 +36,16 @@ struct Shown {
     view: View,
     time: Option<f64>,
     selection: Selection,
+    words: Option<Function>,
 }
 
-/// SVG text of a figure: `svg(idOrFigure, params, {width, height, unit, theme, view})`.
+/// SVG text of a figure: `svg(idOrFigure, params, {width, height, unit, theme, view, words})`.
 ///
 /// # Errors
 /// The plain object of a `GearError`.
 #[wasm_bindgen]
 pub fn svg(id_or_figure: &JsValue, params: &JsValue, options: &JsValue) -> Result<String, JsValue> {
-    let options = Options::read(options, &["width", "height", "unit", "theme", "view"])?;
+    let options = Options::read(options, &["width", "height", "unit", "theme", "view", "words"])?;
     let theme = theme(&options)?;
     let shown = shown(&options)?;
     // Sizes are refused before anything is computed.
@@ -67,7 +68,7 @@ pub fn svg(id_or_figure: &JsValue, params: &JsValue, options: &JsValue) -> Resul
     }
 }
 
-/// Draws onto a canvas: `draw(idOrFigure, params, canvas, {theme, density, view})`; answers the map between pixels
+/// Draws onto a canvas: `draw(idOrFigure, params, canvas, {theme, density, view, words})`; answers the map between pixels
 /// and data of each frame, and how each series looks.
 ///
 /// # Errors
@@ -79,7 +80,7 @@ pub fn draw(
     canvas: &JsValue,
     options: &JsValue,
 ) -> Result<JsValue, JsValue> {
-    let options = Options::read(options, &["theme", "density", "view"])?;
+    let options = Options::read(options, &["theme", "density", "view", "words"])?;
     let theme = theme(&options)?;
     let shown = shown(&options)?;
     let density = options.number("density", (0.5, 8.0), 2.0)?;
@@ -137,7 +138,37 @@ fn figure(id_or_figure: &JsValue, params: &JsValue) -> Result<(Figure, String), 
 /// What of a figure is to be drawn.
 fn picture(figure: &Figure, shown: &Shown) -> Result<Drawing, WebError> {
     let whole = shown.time.map_or_else(|| figure.drawing.clone(), |time| figures::at_time(figure, time));
-    Ok(shown.selection.of(whole)?)
+    let selected = shown.selection.of(whole)?;
+    Ok(match &shown.words {
+        Some(words) => in_words(selected, words)?,
+        None => selected,
+    })
+}
+
+/// Titles and labels as the reader's function says them: those of a figure that moves are made anew for every moment.
+fn in_words(mut drawing: Drawing, words: &Function) -> Result<Drawing, WebError> {
+    for frame in &mut drawing.frames {
+        let bar = frame.bar.as_mut().map(|axis| &mut axis.label);
+        let third = frame.z.as_mut().map(|axis| &mut axis.label);
+        let texts = [&mut frame.title, &mut frame.x.label, &mut frame.y.label];
+        for text in texts.into_iter().chain(bar).chain(third) {
+            say(text, words)?;
+        }
+    }
+    for text in drawing.series.iter_mut().filter_map(|series| series.label.as_mut()) {
+        say(text, words)?;
+    }
+    Ok(drawing)
+}
+
+fn say(text: &mut String, words: &Function) -> Result<(), WebError> {
+    if text.is_empty() {
+        return Ok(());
+    }
+    let said = words.call1(&JsValue::NULL, &JsValue::from_str(text)).ok().and_then(|said| said.as_string());
+    let allowed = || Allowed::Text("a function from text to text".into());
+    *text = said.ok_or_else(|| WebError::option("words", Given::Text(text.clone()), allowed()))?;
+    Ok(())
 }
 
 fn theme(options: &Options) -> Result<Theme, WebError> {
@@ -173,7 +204,16 @@ fn shown(options: &Options) -> Result<Shown, WebError> {
         .map(|(frame, ends)| Ok(Window { frame, x: ends.ends("x")?, y: ends.ends("y")? }))
         .collect::<Result<_, WebError>>()?;
     let selection = Selection { windows, hidden: given.texts("hidden", MOST_HIDDEN)? };
-    Ok(Shown { view, time: (time >= 0.0).then_some(time), selection })
+    let value = options.value("words");
+    let words = match value.dyn_ref::<Function>() {
+        Some(function) => Some(function.clone()),
+        None if value.is_undefined() => None,
+        None => {
+            let allowed = Allowed::Text("a function from text to text".into());
+            return Err(WebError::option("words", values::given(&value), allowed));
+        }
+    };
+    Ok(Shown { view, time: (time >= 0.0).then_some(time), selection, words })
 }
 
 /// How a series looks, for a legend.

@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { engine } from "../../www/words/de/engine.js";
-import { spokenFigure, translateEngine, translation } from "../../www/words/engine.js";
+import { spoken, spokenFigure, translateEngine, translation } from "../../www/words/engine.js";
 import { speak } from "../../www/words/say.js";
-import { gear } from "./support.mjs";
+import { gear, refused } from "./support.mjs";
 
 /** @typedef {import("../../www/engine/gear-bifurcations.js").Figure} Figure */
 
@@ -114,6 +114,17 @@ test("a figure in German is drawn like the other: names, numbers and columns are
   translateEngine(null);
   assert.equal(spokenFigure(figure), figure);
   translateEngine(engine);
+});
+
+test("a figure that moves is drawn in German at every moment, by the option words", () => {
+  const figure = spokenFigure(gear.figure("1", {}));
+  // What is drawn; what a series means is said beside the drawing.
+  const text = gear.svg(figure, {}, { view: { time: 3 }, words: spoken }).replace(/<title>[^<]*<\/title>/g, "");
+  for (const word of ["Ritzel", "Eingriffslinie", "Zahnspalt"]) assert.ok(text.includes(word), word);
+  for (const word of ["pinion", "line of action", "tooth gap", "teeth "]) assert.ok(!text.includes(`>${word}`), word);
+  refused(() => gear.svg(figure, {}, { words: "German" }), { code: "option", parameter: "words" });
+  refused(() => gear.svg(figure, {}, { words: () => 3 }), { code: "option", parameter: "words" });
+  refused(() => gear.svg(figure, {}, { words: () => { throw new Error("no"); } }), { code: "option", parameter: "words" });
 });
 
 test("numbers in sentences are written as in German, and formulas' numbers are not", () => {

@@ -64,6 +64,8 @@ export class Engine {
   #opened = new Promise((resolve) => {
     this.#open = resolve;
   });
+  /** Says a sentence of the engine in the language of the page; null for English. @type {((text: string) => string) | null} */
+  words = null;
   /** What is known of each figure, in the paper's order. @type {ReadonlyMap<string, FigureInfo>} */
   figures;
   /** Every parameter there is, full names and short forms. @type {ReadonlyMap<string, ParameterInfo>} */
@@ -135,7 +137,9 @@ export class Engine {
    * @returns {{frames: FrameMap[], looks: SeriesLook[]}}
    */
   draw(figure, canvas, options) {
-    return this.#gear.draw(figure, undefined, canvas, options);
+    // One that moves has its words made anew for every moment.
+    const said = this.words === null || figure.motion === null ? options : { ...options, words: this.words };
+    return this.#gear.draw(figure, undefined, canvas, said);
   }
 
   /**

@@ -740,6 +740,8 @@ export interface SvgOptions {
   unit?: "px" | "mm";
   theme?: ThemeName;
   view?: ViewOptions;
+  /** Says each title and label in other words, such as those of another language. */
+  words?: (text: string) => string;
 }
 
 export interface DrawOptions {
@@ -747,6 +749,8 @@ export interface DrawOptions {
   /** Pixels of the backing store a CSS pixel, 0.5 to 8, default 2. */
   density?: number;
   view?: ViewOptions;
+  /** Says each title and label in other words, such as those of another language. */
+  words?: (text: string) => string;
 }
 
 /** The map between pixels and data of one frame as it was drawn. */
