@@ -2,15 +2,18 @@
 
 use super::ErrorEstimate;
 use super::motion::{self, ORDER_16};
-use super::multipliers::common_period;
+use super::multipliers::{Budget, common_period, image};
 use super::settling::{self, End, settle};
+use super::time_response::largest_difference;
 use crate::error::{NumericsError, StudyError};
 use crate::model::equations::GearPair;
 use crate::model::parameters::Parameters;
 use crate::model::variational::{SIZE, Variational};
 use crate::numerics::birkhoff;
+use crate::numerics::floquet;
 use crate::numerics::lyapunov::Framed;
 use crate::numerics::ode::taylor::Options;
+use crate::numerics::periodic::matrix;
 use crate::order;
 
 /// Most periods over which exponents are taken.
@@ -36,15 +39,16 @@ pub struct Lyapunov {
     /// How they were computed.
     pub method: String,
     /// What is known of the error: `liouville`, the distance of the exponents' sum from the trace of the Jacobian;
-    /// `step`, the greatest difference between the exponents over the first and over the second half.
+    /// `step`, the greatest difference between the exponents over the first and over the second half, or, on an orbit,
+    /// their change when every step is halved.
     pub error: ErrorEstimate,
 }
 
 /// The exponents over `periods` mesh periods of the motion that starts at `state` (none: [`motion::default_state`]),
 /// once it has settled.
 ///
-/// Where it settles on a periodic orbit, they are taken along that orbit itself; a start on an unstable orbit, to 1e-7,
-/// gives that orbit's.
+/// Where it settles on a periodic orbit, they are taken along that orbit itself, and are the logarithms of its
+/// multipliers over its period; a start on an unstable orbit, to 1e-7, gives that orbit's.
 ///
 /// # Errors
 /// [`StudyError::Option`] for an option out of range, [`StudyError::Model`] for an incommensurate load,
@@ -105,7 +109,45 @@ pub fn lyapunov(
             }
         }
     }
-    Ok(evaluate(&pair, state, &series))
+    let averaged = evaluate(&pair, state, &series);
+    Ok(match fixed {
+        Some((length, state)) => limits(&pair, &state, length, tolerance, averaged),
+        None => averaged,
+    })
+}
+
+/// Greatest distance of the sum of the multipliers' logarithms from the trace: above it, the smallest of them is lost
+/// in the rounding of the others.
+const LOST: f64 = 1e-9;
+
+/// On a periodic orbit the averages' limits: they come near them like one over the number of periods only, where two
+/// exponents are nearly or wholly alike.
+fn limits(pair: &GearPair, state: &[f64; 6], length: usize, tolerance: f64, averaged: Lyapunov) -> Lyapunov {
+    let duration = length as f64 * pair.parameters.mesh_period();
+    let taken = |step_factor: f64| -> Result<[f64; 6], NumericsError> {
+        let (_, rows) = image(pair, state, length, tolerance, step_factor, &Budget::default())?;
+        let spectrum = floquet::spectrum(&matrix(&rows))?;
+        Ok(std::array::from_fn(|i| spectrum.re[i].hypot(spectrum.im[i]).ln() / duration))
+    };
+    let (Ok(coarse), Ok(exponents)) = (taken(1.0), taken(0.5)) else { return averaged };
+    let liouville = (exponents.iter().sum::<f64>() - pair.trace()).abs();
+    if liouville.is_nan() || liouville > LOST {
+        return averaged;
+    }
+    let away = largest_difference(&exponents, &averaged.exponents);
+    Lyapunov {
+        exponents,
+        method: format!(
+            "logarithms of the multipliers of the orbit of period {length} T; {} come to within {away:.0e} of them",
+            averaged.method
+        ),
+        error: ErrorEstimate {
+            liouville: Some(liouville),
+            step: Some(largest_difference(&coarse, &exponents)),
+            residual: None,
+        },
+        ..averaged
+    }
 }
 
 /// Where the averages begin.
