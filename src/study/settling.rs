@@ -1,7 +1,7 @@
 //! Where a motion settles: on a periodic orbit, which is then found exactly, or on something that never repeats.
 
 use super::motion;
-use super::multipliers::Budget;
+use super::multipliers::{Budget, image};
 use super::orbit::{OrbitOptions, PeriodicOrbit, periodic_orbit};
 use super::poincare::Strobe;
 use super::time_response::largest_difference;
@@ -27,6 +27,81 @@ pub(crate) fn returning(states: &[[f64; 6]]) -> Option<usize> {
     let near = RETURNING * size(last);
     (1..=LONGEST.min(earlier.len()))
         .find(|&period| largest_difference(last, &earlier[earlier.len() - period]) < near)
+}
+
+/// Ratio of the spreads of the two halves of a motion's points from which on they do not draw together.
+const STEADY: f64 = 0.995;
+/// The same below which they do so fast enough to be believed without a look at the multipliers.
+const FAST: f64 = 0.7;
+/// How far, relative, a period's motion of them may be from that of the linear map about the orbit: then it is that map's
+/// multipliers that decide where they go.
+const LINEAR: f64 = 0.03;
+
+/// The stable orbit in the middle of a motion's last points, where they draw together on it, perhaps too slowly to be
+/// waited for; its period is a multiple of `common` up to `longest` mesh periods.
+pub(crate) fn drawn_to(
+    p: &Parameters,
+    points: &[[f64; 6]],
+    (common, longest): (usize, usize),
+    tolerance: f64,
+    budget: &Budget,
+) -> Option<PeriodicOrbit> {
+    let lags = (1..=longest.max(common)).filter(|lag| lag.is_multiple_of(common));
+    let halves = |lag: usize| {
+        let every: Vec<[f64; 6]> = points.iter().rev().step_by(lag).rev().copied().collect();
+        let (first, second) = every.split_at(every.len() / 2);
+        (spread(first), spread(second), middle(second))
+    };
+    // Points of one phase of the orbit are nearest together; a multiple of its period is not preferred.
+    let (lag, (first, second, middle)) = lags.map(|lag| (lag, halves(lag))).min_by(|one, other| {
+        let weighted = |(lag, half): &(usize, (f64, f64, [f64; 6]))| half.1 * (1.0 + 0.2 * *lag as f64);
+        weighted(one).total_cmp(&weighted(other))
+    })?;
+    let ratio = second / first;
+    if ratio.is_nan() || ratio >= STEADY {
+        return None;
+    }
+    let orbit = stable_orbit(p, middle, lag, ELSEWHERE, tolerance, budget)?;
+    (ratio < FAST || is_linear(p, &orbit, points, tolerance, budget)).then_some(orbit)
+}
+
+/// Whether the last of a motion's points move as the linear map about an orbit has it.
+fn is_linear(
+    p: &Parameters,
+    orbit: &PeriodicOrbit,
+    points: &[[f64; 6]],
+    tolerance: f64,
+    budget: &Budget,
+) -> bool {
+    let Some((to, from)) = points.last().zip(points.iter().rev().nth(orbit.period)) else { return false };
+    // The point of the orbit that belongs to the last of the motion's.
+    let Ok(mut strobe) = Strobe::new(p, orbit.state, tolerance) else { return false };
+    let mut nearest = strobe.state();
+    for _ in 1..orbit.period {
+        let Ok(Some(state)) = strobe.next() else { return false };
+        if largest_difference(&state, to) < largest_difference(&nearest, to) {
+            nearest = state;
+        }
+    }
+    let Ok((_, rows)) = image(&GearPair::new(p), &nearest, orbit.period, tolerance, 1.0, budget) else {
+        return false;
+    };
+    let before: [f64; 6] = std::array::from_fn(|i| from[i] - nearest[i]);
+    let predicted: [f64; 6] =
+        std::array::from_fn(|i| nearest[i] + (0..6).map(|j| rows[i][j] * before[j]).sum::<f64>());
+    largest_difference(&predicted, to) < LINEAR * largest_difference(to, &nearest)
+}
+
+/// Root of the mean squared distance of some states from their middle.
+fn spread(states: &[[f64; 6]]) -> f64 {
+    let middle = middle(states);
+    let squares = states.iter().flat_map(|state| (0..6).map(|i| (state[i] - middle[i]).powi(2)));
+    (squares.sum::<f64>() / states.len().max(1) as f64).sqrt()
+}
+
+/// The mean of some states.
+fn middle(states: &[[f64; 6]]) -> [f64; 6] {
+    std::array::from_fn(|i| states.iter().map(|state| state[i]).sum::<f64>() / states.len().max(1) as f64)
 }
 
 /// Times that an orbit's search goes along it, each step with its derivative counted as several: as a rule.

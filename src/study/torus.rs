@@ -36,6 +36,8 @@ const ON_MANIFOLD: [usize; 4] = [0, 2, 3, 5];
 const MOST_UNKNOWNS: usize = 800;
 /// A circle whose defect stays above this part of its size is not believed.
 const WORST_DEFECT: f64 = 1e-4;
+/// A circle whose defect is above this part of its size is not smooth.
+const SMOOTH: f64 = 1e-8;
 /// Points on the circle over which its means and extremes are taken.
 const SAMPLES: usize = 4096;
 /// Points given as the curve.
@@ -338,6 +340,8 @@ struct Known<'a> {
     circle: Circle,
     defect: f64,
     averages: Option<Averages>,
+    /// Whether collocation has made the circle invariant; else it is the averages' own.
+    collocated: bool,
 }
 
 /// The invariant circle at these parameters: the one that a motion from near rest or from the cycle of \[T8\] comes to,
@@ -438,7 +442,7 @@ async fn from_neighbours<'a>(
 
 /// Everything that is asked of a circle.
 async fn describe(known: &Known<'_>) -> Result<Torus, StudyError> {
-    let Known { section, circle, defect, averages } = known;
+    let Known { section, circle, defect, averages, collocated } = known;
     let growth = section.growth(circle).await?;
     let (mut curve, mut radii) = (Vec::new(), Vec::with_capacity(SAMPLES * section.periods));
     let mut nodes = Vec::new();
@@ -475,14 +479,17 @@ async fn describe(known: &Known<'_>) -> Result<Torus, StudyError> {
             *state = reached;
         }
     }
-    let (mean_radius, r_min, r_max) = radius(&radii);
+    let (of_circle, r_min, r_max) = radius(&radii);
+    let turned =
+        seed::rotation(circle.rotation, section.periods, averages.as_ref().map(|means| means.rotation));
+    // A circle that is not smooth is known better by its averages than by its Fourier series.
+    let (mean_radius, rotation) = match averages {
+        Some(means) if *defect > SMOOTH * (1.0 + circle.size()) => (means.mean_radius, means.rotation),
+        _ => (of_circle, turned),
+    };
     Ok(Torus {
         mean_radius,
-        rotation: seed::rotation(
-            circle.rotation,
-            section.periods,
-            averages.as_ref().map(|means| means.rotation),
-        ),
+        rotation,
         curve,
         stable: growth < 0.0,
         growth,
@@ -492,10 +499,14 @@ async fn describe(known: &Known<'_>) -> Result<Torus, StudyError> {
         max_u: max_u.greatest(),
         circles: section.periods,
         averages: *averages,
-        method: format!(
-            "collocation of {} Fourier nodes on the stroboscopic map, variational Taylor series",
-            circle.count() * if circle.mirrored { 2 } else { 1 }
-        ),
+        method: if *collocated {
+            format!(
+                "collocation of {} Fourier nodes on the stroboscopic map, variational Taylor series",
+                circle.count() * if circle.mirrored { 2 } else { 1 }
+            )
+        } else {
+            "weighted Birkhoff averages along a long motion, the circle by its Fourier series".into()
+        },
         error: ErrorEstimate { residual: Some(*defect), ..ErrorEstimate::default() },
     })
 }

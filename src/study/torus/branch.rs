@@ -143,7 +143,7 @@ async fn advance<'a>(
             tolerance: size,
         });
     }
-    Ok(Known { section, circle, defect, averages: None })
+    Ok(Known { section, circle, defect, averages: None, collocated: true })
 }
 
 /// A branch in the making, circle by circle: from a first one up to the end of the range, then down.

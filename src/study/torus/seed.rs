@@ -25,6 +25,16 @@ const LEAVES: f64 = 1e-4;
 const RESPONSE_STEPS: usize = 5000;
 /// Most circles that the map carries one into the next.
 const MOST_CIRCLES: usize = 4;
+/// Searches for a circle by collocation that may fail before the motion's averages are taken instead.
+const MOST_FAILED: usize = 2;
+/// Steps that one such search may take.
+const COLLOCATION: usize = 350_000;
+/// Points over which averages are taken that stand alone.
+const FITTED: usize = 4096;
+/// Distance of such points from their Fourier series, relative to the circle's size, up to which it represents them.
+const REPRESENTED: f64 = 0.01;
+/// Difference of the mean radius over their two halves, likewise, up to which the motion has settled.
+const SETTLED: f64 = 1e-5;
 /// The seed's defect, relative to its size, below which the collocation is tried.
 const PROMISING: f64 = 0.1;
 
@@ -112,6 +122,7 @@ async fn settle<'a>(
     let mut strobe = Strobe::new(p, start, tolerance)?;
     let mut states = vec![start];
     let mut searches = 0;
+    let mut failed = 0;
     for stage in STAGES {
         while states.len() < stage + POINTS {
             let before = strobe.steps();
@@ -132,25 +143,141 @@ async fn settle<'a>(
                 }
             }
         }
-        if let Some(known) = circle(p, &states[states.len() - POINTS..], tolerance, budget).await? {
-            return Ok(Ok(measured(known, tolerance).await?));
+        let latest = &states[states.len() - POINTS..];
+        // Where it draws together on an orbit, a circle would be looked for in vain, and for long.
+        let orbit = settling::drawn_to(p, latest, (common_period(p)?, settling::LONGEST), tolerance, budget);
+        if let Some(orbit) = orbit {
+            return Ok(Err(format!("the motion settles on an orbit of period {} T", orbit.period)));
+        }
+        if failed < MOST_FAILED {
+            let (known, whole) = circle(p, latest, tolerance, budget).await?;
+            if let Some(known) = known {
+                return Ok(Ok(measured(known, tolerance).await?));
+            }
+            failed += usize::from(!whole);
+        }
+        // Where it parts the teeth the circle is not smooth, and Fourier nodes may not do: the motion itself is left.
+        if failed > 0
+            && let Some(known) = by_averages(p, &mut strobe, &mut states, tolerance, budget).await?
+        {
+            return Ok(Ok(known));
         }
     }
     Ok(Err("the motion does not settle on a closed curve".into()))
 }
 
-/// Makes a circle of the last points of a motion, if they lie near one.
+/// Whether these states are on the manifold `u_g = -u_p`, and stay there.
+fn on_manifold(p: &Parameters, states: &[[f64; 6]]) -> bool {
+    let size = states.iter().map(settling::size).fold(0.0, f64::max);
+    let opposed =
+        |state: &[f64; 6]| (state[0] + state[1]).abs().max((state[3] + state[4]).abs()) < 1e-9 * size;
+    p.symmetric().is_ok() && states.iter().all(opposed)
+}
+
+/// The circle as the averages along a motion have it, where collocation does not make it exactly invariant: its Fourier
+/// series, as far as that represents the motion's points, with the mean radius and the rotation of the averages.
+async fn by_averages<'a>(
+    p: &Parameters,
+    strobe: &mut Strobe,
+    states: &mut Vec<[f64; 6]>,
+    tolerance: f64,
+    budget: &'a Budget,
+) -> Result<Option<Known<'a>>, StudyError> {
+    for _ in 0..MOST_AVERAGED / FITTED {
+        let until = states.len() + FITTED;
+        while states.len() < until {
+            let before = strobe.steps();
+            let Some(state) = strobe.next()? else { return Ok(None) };
+            budget.spend(strobe.steps() - before);
+            budget.rest().await;
+            if budget.left() == 0 {
+                return Ok(None);
+            }
+            states.push(state);
+        }
+        let latest = &states[states.len() - FITTED..];
+        let on_manifold = on_manifold(p, latest);
+        let common = common_period(p)?;
+        for periods in (1..=MOST_CIRCLES).map(|circles| circles * common) {
+            let every: Vec<[f64; 6]> = latest.iter().step_by(periods).copied().collect();
+            if every.len() < FITTED / 8 {
+                break;
+            }
+            let section = Section { pair: GearPair::new(p), periods, on_manifold, tolerance, budget };
+            let Some(circle) = fitted(&section, &every, Fit { mirrored: false, count: 257, most: 100 })
+            else {
+                continue;
+            };
+            let off = every.iter().enumerate().map(|(place, state)| {
+                let point = circle.point((place as f64 * circle.rotation).fract());
+                section
+                    .coordinates()
+                    .iter()
+                    .zip(point)
+                    .map(|(&i, value)| (state[i] - value).abs())
+                    .fold(0.0, f64::max)
+            });
+            let defect = off.fold(0.0, f64::max);
+            if defect > REPRESENTED * circle.size() {
+                continue;
+            }
+            let radii: Vec<f64> = latest.iter().map(|state| state[0].hypot(state[3])).collect();
+            let (first, second) = radii.split_at(FITTED / 2);
+            let mean = |part: &[f64]| birkhoff::mean(part, &birkhoff::weights(part.len()));
+            if (mean(first) - mean(second)).abs() > SETTLED * circle.size() {
+                break;
+            }
+            let averages = averages(latest, periods);
+            return Ok(averages.map(|averages| Known {
+                section,
+                circle,
+                defect,
+                averages: Some(averages),
+                collocated: false,
+            }));
+        }
+    }
+    Ok(None)
+}
+
+/// Makes a circle of the last points of a motion, if they lie near one; and whether the search came to its end, not to
+/// that of the steps that it may take.
 async fn circle<'a>(
     p: &Parameters,
     states: &[[f64; 6]],
     tolerance: f64,
     budget: &'a Budget,
-) -> Result<Option<Known<'a>>, StudyError> {
+) -> Result<(Option<Known<'a>>, bool), StudyError> {
+    let own = Budget::of(COLLOCATION.min(budget.left()));
+    let granted = own.left();
+    let found = collocated(p, states, tolerance, &own).await;
+    budget.spend(granted - own.left());
+    match found {
+        Ok((found, converges)) => {
+            let known = found.map(|known| {
+                let Known { section, circle, defect, averages, collocated } = known;
+                let section = Section { budget, pair: section.pair, ..section };
+                Known { section, circle, defect, averages, collocated }
+            });
+            Ok((known, converges))
+        }
+        Err(StudyError::Numerics(NumericsError::TooManySteps { .. })) if budget.left() > 0 => {
+            Ok((None, false))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// As [`circle`], within the budget.
+async fn collocated<'a>(
+    p: &Parameters,
+    states: &[[f64; 6]],
+    tolerance: f64,
+    budget: &'a Budget,
+) -> Result<(Option<Known<'a>>, bool), StudyError> {
     let common = common_period(p)?;
-    let size = states.iter().map(settling::size).fold(0.0, f64::max);
-    let opposed =
-        |state: &[f64; 6]| (state[0] + state[1]).abs().max((state[3] + state[4]).abs()) < 1e-9 * size;
-    let on_manifold = p.symmetric().is_ok() && states.iter().all(opposed);
+    let on_manifold = on_manifold(p, states);
+    let mut converges = true;
     for circles in 1..=MOST_CIRCLES {
         let periods = circles * common;
         let every: Vec<[f64; 6]> = states.iter().step_by(periods).copied().collect();
@@ -162,7 +289,12 @@ async fn circle<'a>(
             if mirrored && p.regime != Regime::Homogeneous {
                 continue;
             }
-            let Some(seed) = fitted(&section, &every, mirrored) else { continue };
+            let fit = if mirrored {
+                Fit { mirrored, count: 32, most: 12 }
+            } else {
+                Fit { mirrored, count: 65, most: 20 }
+            };
+            let Some(seed) = fitted(&section, &every, fit) else { continue };
             let map: &mut Map = &mut |point, to, derivative| section.map(point, to, derivative);
             match seed.defect(map, 4) {
                 Ok(defect) if defect < PROMISING * seed.size() => (),
@@ -171,15 +303,15 @@ async fn circle<'a>(
             }
             match section.converge(seed).await {
                 Ok((circle, defect)) => {
-                    let known = Known { section, circle, defect, averages: None };
-                    return Ok(Some(single(known, common).await?));
+                    let known = Known { section, circle, defect, averages: None, collocated: true };
+                    return Ok((Some(single(known, common).await?), true));
                 }
                 Err(error @ NumericsError::TooManySteps { .. }) => return Err(error.into()),
-                Err(_) => (),
+                Err(_) => converges = false,
             }
         }
     }
-    Ok(None)
+    Ok((None, converges))
 }
 
 /// The same circle as one of the map of the least period, if it is: a motion that still grows may have been fitted by
@@ -197,7 +329,7 @@ async fn single(known: Known<'_>, common: usize) -> Result<Known<'_>, StudyError
         if circle.defect(map, 4)? < 0.01 * circle.size()
             && let Ok((circle, defect)) = section.converge(circle).await
         {
-            return Ok(Known { section, circle, defect, averages: None });
+            return Ok(Known { section, circle, defect, averages: None, collocated: true });
         }
     }
     Ok(known)
@@ -215,17 +347,24 @@ fn strongest(series: &[f64], weights: &[f64], forbidden: &dyn Fn(f64) -> bool) -
     (lines[line] > 1e-9).then(|| birkhoff::frequency(&varying, weights, turns(line)))
 }
 
+/// How a closed curve is fitted: with which symmetry, by how many nodes, up to which harmonic.
+#[derive(Clone, Copy, Debug)]
+struct Fit {
+    mirrored: bool,
+    count: usize,
+    most: u32,
+}
+
 /// The closed curve through the points of a motion, by its Fourier coefficients as averages.
-fn fitted(section: &Section, states: &[[f64; 6]], mirrored: bool) -> Option<Circle> {
+fn fitted(section: &Section, states: &[[f64; 6]], fit: Fit) -> Option<Circle> {
+    let Fit { mirrored, count, most } = fit;
     let weights = birkhoff::weights(states.len());
     let column = |coordinate: usize| -> Vec<f64> { states.iter().map(|state| state[coordinate]).collect() };
     let turns = strongest(&column(0), &weights, &|_| false)?;
     let dimension = section.dimension();
-    let count = if mirrored { 32 } else { 65 };
     let spacing = 1.0 / (count * if mirrored { 2 } else { 1 }) as f64;
     let coordinates = section.coordinates();
     let mut nodes = vec![0.0; count * dimension];
-    let most: u32 = if mirrored { 12 } else { 20 };
     for (place, &coordinate) in coordinates.iter().enumerate() {
         let series = column(coordinate);
         for harmonic in 0..=most {
@@ -251,7 +390,7 @@ async fn measured(mut known: Known<'_>, tolerance: f64) -> Result<Known<'_>, Stu
     let mut strobe = Strobe::new(&section.pair.parameters, start, tolerance)?;
     let mut states = Vec::with_capacity(AVERAGED);
     let mut count = AVERAGED;
-    let (weights, radii) = loop {
+    loop {
         while states.len() < count {
             states.push(strobe.state());
             let before = strobe.steps();
@@ -274,20 +413,26 @@ async fn measured(mut known: Known<'_>, tolerance: f64) -> Result<Known<'_>, Stu
         // As long as the two halves differ, more points are wanted.
         let (first, second) = radii.split_at(count / 2);
         if (mean(first) - mean(second)).abs() < AGREED || count >= MOST_AVERAGED {
-            break (birkhoff::weights(count), radii);
+            break;
         }
         count *= 2;
-    };
-    let radius = birkhoff::mean(&radii, &weights);
+    }
+    known.averages = averages(&states, section.periods);
+    Ok(known)
+}
+
+/// Mean radius and rotation along a motion of one point a mesh period; the circles are visited in turn, `periods` after
+/// one another.
+fn averages(states: &[[f64; 6]], periods: usize) -> Option<Averages> {
+    let weights = birkhoff::weights(states.len());
+    let radii: Vec<f64> = states.iter().map(|state| state[0].hypot(state[3])).collect();
     let series: Vec<f64> = states.iter().map(|state| state[0]).collect();
-    let periods = section.periods as f64;
+    let periods = periods as f64;
     // Lines of several circles that belong to the order in which they are visited, not to the motion on them.
     let harmonic = |turns: f64| {
         let nearest = (turns * periods).round();
-        section.periods > 1 && (turns * periods - nearest).abs() < 4.0 * periods / states.len() as f64
+        periods > 1.0 && (turns * periods - nearest).abs() < 4.0 * periods / states.len() as f64
     };
-    if let Some(turns) = strongest(&series, &weights, &harmonic) {
-        known.averages = Some(Averages { mean_radius: radius, rotation: folded(turns) });
-    }
-    Ok(known)
+    let turns = strongest(&series, &weights, &harmonic)?;
+    Some(Averages { mean_radius: birkhoff::mean(&radii, &weights), rotation: folded(turns) })
 }
