@@ -77,7 +77,7 @@ fn the_basin_of_figure_11_c_is_that_of_motions_followed_to_their_end() {
 fn two_attractors_beside_each_other_are_told_apart() {
     // Below 5.2199 the orbit of tongue 3 coexists with the stable origin.
     let p = numbers(&[("Omega", 5.1)]);
-    let options = BasinOptions { periods: 1500, ..BasinOptions::new(&p, even(4.0, 24), even(8.0, 24)) };
+    let options = BasinOptions { periods: Some(1500), ..BasinOptions::new(&p, even(4.0, 24), even(8.0, 24)) };
     let found = agrees_with_long_motions(&p, &options, 3);
     assert!(found.attractors.len() >= 2, "{:?}", found.attractors);
     for index in 0..2 {
@@ -108,16 +108,38 @@ fn shares_agree_on_the_attractors_and_together_make_the_whole() {
 #[test]
 fn unequal_supports_and_a_dead_zone_are_followed_as_well() {
     let unequal = numbers(&[("Omega", 1.65), ("k_g", 5.05), ("m_p", 1.02)]);
-    let options = BasinOptions { periods: 800, ..BasinOptions::new(&unequal, even(2.0, 8), even(3.0, 8)) };
+    let options =
+        BasinOptions { periods: Some(800), ..BasinOptions::new(&unequal, even(2.0, 8), even(3.0, 8)) };
     let found = basin(&unequal, &options).expect("computes");
     assert!(found.attractor.iter().filter(|index| **index == UNDECIDED).count() < 8, "{found:?}");
 
     let p = numbers(&[("zeta", 0.07), ("Omega", 1.6), ("alpha", 0.0)]);
     let p = Parameters { load: 1.5, regime: Regime::Backlash, ..p };
     let x = Grid::new("x", [-1.0, 0.0], 6, [-100.0, 100.0]).expect("allowed");
-    let found = basin(&p, &BasinOptions { periods: 800, ..BasinOptions::new(&p, x, even(0.5, 6)) })
+    let found = basin(&p, &BasinOptions { periods: Some(800), ..BasinOptions::new(&p, x, even(0.5, 6)) })
         .expect("computes");
     // All motions part the teeth and come to the orbit of twice the mesh period.
     assert!(found.attractors.iter().any(|a| a.kind == AttractorKind::Orbit { period: 2 }), "{found:?}");
     assert!(found.attractor.iter().all(|index| *index >= 0), "{:?}", found.attractor);
+}
+
+/// Starts that come to an orbit in thousands of periods: beside a tongue's edge, where rest attracts weakly, and with
+/// unequal supports, whose sum of displacements is hardly damped.
+#[test]
+fn slow_attractors_are_orbits_all_the_same_and_leave_nothing_undecided() {
+    for (p, period) in [
+        (numbers(&[("Omega", 3.84), ("alpha", 0.2)]), 1),
+        (numbers(&[("Omega", 1.65), ("m_p", 1.2), ("m_g", 0.9)]), 2),
+    ] {
+        let options = BasinOptions::new(&p, even(4.0, 16), even(4.0, 16));
+        let found = basin(&p, &options).expect("computes");
+        let orbit = |kind| matches!(kind, AttractorKind::Orbit { period: found } if found == period);
+        assert!(
+            found.attractors.iter().any(|attractor| orbit(attractor.kind)),
+            "{:?}",
+            found.attractors.len()
+        );
+        let undecided = found.attractor.iter().filter(|index| **index == UNDECIDED).count();
+        assert!(undecided < 8, "{undecided}");
+    }
 }

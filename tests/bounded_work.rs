@@ -69,7 +69,7 @@ fn every_study_answers_in_finite_numbers_or_refuses() {
         let options = SweepOptions { transient: 5, points: 3, ..SweepOptions::new(omega) };
         sound(sweep(&p, &options), |found| [&found.u_p[..], &found.u].concat(), &p);
         let plane = Grid::new("x", [-2.0, 2.0], 4, [-100.0, 100.0]).expect("allowed");
-        let options = BasinOptions { periods: 50, ..BasinOptions::new(&p, plane, plane) };
+        let options = BasinOptions { periods: Some(50), ..BasinOptions::new(&p, plane, plane) };
         let found = basin(&p, &options);
         sound(found, |found| found.attractors.iter().flat_map(|one| one.state).collect(), &p);
     }

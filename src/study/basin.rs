@@ -31,6 +31,9 @@ const FAILED: usize = 400_000;
 /// Integration steps of a share, and besides of each of its cells: some seconds for a small picture. What is left then
 /// stays undecided.
 const MOST_STEPS: (usize, usize) = (600_000, 1000);
+/// Periods within which a start decides itself, as a rule, and most that are granted to the slowest attractor.
+const FEWEST_PERIODS: usize = 600;
+const MOST_PERIODS: usize = 6000;
 /// Starts along each axis from which attractors are looked for.
 const SEARCH: usize = 7;
 /// Integration steps of the search for attractors.
@@ -52,8 +55,9 @@ pub struct BasinOptions {
     /// The other coordinates. Pinion and gear start opposed: a coordinate of the one in the plane gives the other's,
     /// unless both are in it.
     pub state: [f64; 6],
-    /// Periods after which a start that has come to no attractor is left undecided, 1 to 100,000.
-    pub periods: usize,
+    /// Periods after which a start that has come to no attractor is left undecided, 1 to 100,000; none: as many as the
+    /// multipliers of the slowest attractor ask for.
+    pub periods: Option<usize>,
     /// Tolerance of the states, 1e-14 to 1e-3: near the edges of the basins it decides.
     pub tolerance: f64,
     /// Which share of how many.
@@ -61,9 +65,9 @@ pub struct BasinOptions {
 }
 
 impl BasinOptions {
-    /// The plane of `u_p` and `u_p'` about the unloaded state, at most 600 periods, to 1e-6, all in one share.
+    /// The plane of `u_p` and `u_p'` about the unloaded state, to 1e-6, all in one share.
     pub fn new(p: &Parameters, x: Grid, y: Grid) -> Self {
-        Self { plane: [0, 3], x, y, state: trivial_state(p), periods: 600, tolerance: 1e-6, share: (0, 1) }
+        Self { plane: [0, 3], x, y, state: trivial_state(p), periods: None, tolerance: 1e-6, share: (0, 1) }
     }
 }
 
@@ -137,6 +141,8 @@ pub struct BasinWork {
     mirror: Option<Vec<(i32, Vec<u8>)>>,
     mirrored: bool,
     steps: usize,
+    /// Periods after which a start is left undecided.
+    most: usize,
     basin: Basin,
 }
 
@@ -189,6 +195,7 @@ impl BasinWork {
             mirror: None,
             mirrored,
             steps: 0,
+            most: options.periods.unwrap_or(FEWEST_PERIODS),
             basin,
         })
     }
@@ -223,6 +230,10 @@ impl BasinWork {
         if self.mirrored {
             self.mirror =
                 Some(self.known.iter().map(|known| attractor::mirror_image(known, &self.known)).collect());
+        }
+        if self.options.periods.is_none() {
+            let slowest = self.known.iter().filter_map(Known::patience).fold(0.0, f64::max);
+            self.most = (slowest as usize).clamp(FEWEST_PERIODS, MOST_PERIODS);
         }
         self.stage = Stage::Cells(0);
     }
@@ -278,7 +289,7 @@ impl BasinWork {
             };
             match verdict {
                 Some((attractor, phase)) => self.decide(cell.index, attractor, phase),
-                None if cell.periods >= self.options.periods => self.decide(cell.index, UNDECIDED, 0),
+                None if cell.periods >= self.most => self.decide(cell.index, UNDECIDED, 0),
                 None => self.cells.push(cell),
             }
         }
@@ -396,8 +407,8 @@ fn check(options: &BasinOptions) -> Result<(), StudyError> {
     if options.state.iter().any(|value| !value.is_finite()) {
         return refused("state", format!("{:?}", options.state), "six finite numbers");
     }
-    if options.periods == 0 || options.periods > 100_000 {
-        return refused("periods", options.periods.to_string(), "a whole number from 1 to 100000");
+    if let Some(periods) = options.periods.filter(|periods| !(1..=100_000).contains(periods)) {
+        return refused("periods", periods.to_string(), "a whole number from 1 to 100000");
     }
     if options.x.count * options.y.count > MOST_CELLS {
         return refused(

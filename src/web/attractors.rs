@@ -225,7 +225,8 @@ pub fn basin(params: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
     let asked = BasinOptions {
         plane: options.names("plane", &COORDINATES, usual.plane)?,
         state: options.state("state")?.unwrap_or(usual.state),
-        periods: options.whole("periods", (1, 100_000), usual.periods)?,
+        // None given: chosen by the study.
+        periods: Some(options.whole("periods", (1, 100_000), 0)?).filter(|periods| *periods > 0),
         tolerance: options.number("tolerance", TOLERANCE, usual.tolerance)?,
         ..usual
     };

@@ -8,7 +8,8 @@ use crate::numerics::floquet::Spectrum;
 use crate::order;
 use crate::study::motion;
 use crate::study::multipliers::{Budget, image};
-use crate::study::settling::{LONGEST, size, stable_orbit};
+use crate::study::orbit::PeriodicOrbit;
+use crate::study::settling::{self, LONGEST, size, stable_orbit};
 use crate::study::time_response::largest_difference;
 
 /// Periods, besides those of the options, for which a start is followed in search of attractors.
@@ -116,7 +117,17 @@ pub(super) fn arrived(
     None
 }
 
+/// By how much a motion that comes to an orbit draws nearer until that is seen.
+const NEARER: f64 = 1e4;
+
 impl Known {
+    /// Periods in which a motion comes near, by the slowest multiplier of an orbit.
+    pub(super) fn patience(&self) -> Option<f64> {
+        let AttractorKind::Orbit { period } = self.attractor.kind else { return None };
+        let rate = -self.attractor.re[0].hypot(self.attractor.im[0]).ln() / period as f64;
+        (rate > 0.0).then(|| NEARER.ln() / rate)
+    }
+
     fn is_near(&self, state: &[f64; 6]) -> bool {
         let limit = self.spacing;
         self.attractor
@@ -153,7 +164,7 @@ pub(super) async fn explore(
     let mut states = vec![start];
     let mut arrival = Arrival::default();
     let mut next_try = FIRST_TRY;
-    let most = options.periods.max(SEARCHING);
+    let most = options.periods.unwrap_or(0).max(SEARCHING);
     for count in 1..=most + POINTS {
         let phase = ((count - 1) % common) as f64 * period;
         let Ok(reached) = motion::carry(pair, phase, states[count - 1], phase + period, tolerance) else {
@@ -176,24 +187,14 @@ pub(super) async fn explore(
         next_try = next_try * 3 / 2 + 7;
         let Some(lag) = best_return(&states, common) else { continue };
         if let Some(orbit) = stable_orbit(p, reached.state, lag, RETURNING, TOLERANCE, budget) {
-            let spectrum = Spectrum { re: orbit.re, im: orbit.im };
-            let mut points = vec![orbit.state];
-            for index in 1..orbit.period {
-                let phase = ((index - 1) % common) as f64 * period;
-                points.push(motion::carry(pair, phase, points[index - 1], phase + period, TOLERANCE)?.state);
-            }
-            let attractor = Attractor {
-                kind: AttractorKind::Orbit { period: orbit.period },
-                state: orbit.state,
-                points,
-                re: orbit.re,
-                im: orbit.im,
-            };
-            add_orbit(search, attractor, &spectrum, known, budget).await?;
+            add_orbit(search, orbit, known, budget).await?;
         }
     }
     let last = states[states.len() - 1];
     let points: Vec<[f64; 6]> = states[states.len() - POINTS..].to_vec();
+    if let Some(orbit) = settling::drawn_to(p, &points, (common, LONGEST), TOLERANCE, budget) {
+        return add_orbit(search, orbit, known, budget).await;
+    }
     let attractor = Attractor { kind: AttractorKind::Torus, state: last, points, re: [0.0; 6], im: [0.0; 6] };
     let spacing = spacing(&attractor.points).max(CLOSE * size(&last));
     let add = |attractor: Attractor, known: &mut Vec<Known>| {
@@ -241,15 +242,28 @@ fn is_same_orbit(left: &Attractor, right: &Attractor) -> bool {
 
 async fn add_orbit(
     search: &Search,
-    attractor: Attractor,
-    spectrum: &Spectrum,
+    orbit: PeriodicOrbit,
     known: &mut Vec<Known>,
     budget: &Budget,
 ) -> Result<(), StudyError> {
+    let period = search.pair.parameters.mesh_period();
+    let spectrum = Spectrum { re: orbit.re, im: orbit.im };
+    let mut points = vec![orbit.state];
+    for index in 1..orbit.period {
+        let phase = ((index - 1) % search.common) as f64 * period;
+        points.push(motion::carry(&search.pair, phase, points[index - 1], phase + period, TOLERANCE)?.state);
+    }
+    let attractor = Attractor {
+        kind: AttractorKind::Orbit { period: orbit.period },
+        state: orbit.state,
+        points,
+        re: orbit.re,
+        im: orbit.im,
+    };
     let images = if search.mirrored { vec![mirror(&attractor)] } else { Vec::new() };
     for attractor in std::iter::once(attractor).chain(images) {
         if !known.iter().any(|other| is_same_orbit(&attractor, &other.attractor)) {
-            known.push(recognised(search, attractor, spectrum, budget).await?);
+            known.push(recognised(search, attractor, &spectrum, budget).await?);
         }
     }
     Ok(())
