@@ -1,7 +1,7 @@
 //! Exact answers beside the formulas of a figure: the formulas are its first picture, the rest comes slice by slice.
 
 use super::compose::{Composer, number};
-use super::job::{Figure, Slices};
+use super::job::{Distance, Figure, Slices};
 use crate::chart::drawing::Series;
 use crate::error::{FigureError, StudyError};
 use crate::model::parameters::{Parameters, Regime};
@@ -21,7 +21,7 @@ pub(super) trait Part {
     fn advance(&mut self) -> Result<bool, FigureError>;
 
     /// Draws what there is so far onto the formulas.
-    fn draw(&self, formulas: &Figure, composer: &mut Composer, notes: &mut Vec<String>);
+    fn draw(&self, formulas: &Figure, composer: &mut Composer, told: &mut Told);
 
     /// How it is computed, and what is known of the error.
     fn method(&self) -> (&'static str, ErrorEstimate);
@@ -60,8 +60,10 @@ impl Slices for Beside {
     fn figure(&self, _: &'static str, _: &Parameters) -> Figure {
         let mut figure = self.formulas.clone();
         let mut composer = Composer::on(figure.drawing);
-        self.part.draw(&self.formulas, &mut composer, &mut figure.notes);
+        let mut told = Told::default();
+        self.part.draw(&self.formulas, &mut composer, &mut told);
         figure.drawing = composer.drawing();
+        told.onto(&mut figure);
         figure.notes.extend(self.refused.clone());
         let (method, error) = self.part.method();
         figure.method.push_str(method);
@@ -100,15 +102,68 @@ pub(super) fn edges_on_axis(
     Ok((both.filter(|[left, right]| left.is_finite() && right.is_finite()), edges))
 }
 
-/// The distance of symmetric edges by formula from the exact ones, in words.
-pub(super) fn edges_apart(what: &str, formula: f64, [left, right]: [f64; 2]) -> String {
-    format!(
-        "Exact edges at Omega_1 = {} and {}; the formula {what} is off by {} and {}.",
-        number(left, 6),
-        number(right, 6),
-        number(-formula - left, 2),
-        number(formula - right, 2)
-    )
+/// What a figure tells in words, and the distances of theory from exact among it as numbers.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Told {
+    pub(super) notes: Vec<String>,
+    pub(super) distances: Vec<Distance>,
+}
+
+impl Told {
+    /// Adds it to what a figure tells.
+    pub(super) fn onto(self, figure: &mut Figure) {
+        figure.notes.extend(self.notes);
+        figure.distances.extend(self.distances);
+    }
+
+    /// The distance of symmetric edges by formula from the exact ones.
+    pub(super) fn edges_apart(&mut self, what: &str, formula: f64, [left, right]: [f64; 2]) {
+        self.notes.push(format!(
+            "Exact edges at Omega_1 = {} and {}; the formula {what} is off by {} and {}.",
+            number(left, 6),
+            number(right, 6),
+            number(-formula - left, 2),
+            number(formula - right, 2)
+        ));
+        let what = what.trim_end_matches(',');
+        for (side, theory, exact) in [("left", -formula, left), ("right", formula, right)] {
+            self.distances.push(Distance {
+                what: format!("Omega_1 of the {side} edge, {what}"),
+                at: None,
+                theory,
+                exact,
+            });
+        }
+    }
+
+    /// Where a branch by formula and the exact one are furthest apart, from [`farthest`].
+    pub(super) fn apart(&mut self, which: &str, axis: &'static str, [x, theory, exact]: [f64; 3]) {
+        let words = format!(
+            "Furthest apart at {axis} = {}: the formula says R = {}, the exact motion has {}, a distance of {}.",
+            number(x, 4),
+            number(theory, 4),
+            number(exact, 5),
+            number(theory - exact, 2)
+        );
+        self.notes.push(if which.is_empty() { words } else { format!("{which}: {words}") });
+        let what = if which.is_empty() {
+            "R where furthest apart".into()
+        } else {
+            format!("R, {which}, where furthest apart")
+        };
+        self.distances.push(Distance { what, at: Some((axis, x)), theory, exact });
+    }
+
+    /// The greatest growth rate by formula and exactly.
+    pub(super) fn greatest_growth(&mut self, theory: f64, exact: f64) {
+        self.notes.push(format!(
+            "Greatest growth rate: {} by the formula, {} exactly, a distance of {}.",
+            number(theory, 5),
+            number(exact, 5),
+            number(theory - exact, 2)
+        ));
+        self.distances.push(Distance { what: "greatest growth rate".into(), at: None, theory, exact });
+    }
 }
 
 /// Where curves of formulas and the exact height are furthest apart: the place, the formula's height, the exact one.
@@ -126,29 +181,8 @@ pub(super) fn farthest<'a>(
     farthest
 }
 
-/// [`farthest`] in words.
-pub(super) fn apart(axis: &str, [x, formula, exact]: [f64; 3]) -> String {
-    format!(
-        "Furthest apart at {axis} = {}: the formula says R = {}, the exact motion has {}, a distance of {}.",
-        number(x, 4),
-        number(formula, 4),
-        number(exact, 5),
-        number(formula - exact, 2)
-    )
-}
-
 /// A modal coordinate of a state, as the paper scales it: `u_p - u_g = -4 (q_2 + q_3)`, `u = a q_2 + b q_3`.
 pub(super) fn modal(modes: &Modes, mode: Mode, state: &[f64; 6]) -> f64 {
     let (own, other) = (modes.coefficient(mode), modes.coefficient(mode.partner()));
     (state[2] - 0.25 * other * (state[1] - state[0])) / (own - other)
-}
-
-/// The greatest growth rate by formula and exactly, in words.
-pub(super) fn greatest_growth(formula: f64, exact: f64) -> String {
-    format!(
-        "Greatest growth rate: {} by the formula, {} exactly, a distance of {}.",
-        number(formula, 5),
-        number(exact, 5),
-        number(formula - exact, 2)
-    )
 }

@@ -2,7 +2,7 @@
 
 use super::compose::{Composer, Line, Points, axis, even, number, plane};
 use super::exact::{Exact, Spot, Style};
-use super::job::{Fact, Figure, Slices};
+use super::job::{Distance, Fact, Figure, Slices};
 use super::tongue_range::range;
 use super::tongues::{Setting, half_parabola};
 use crate::chart::drawing::{Drawing, Role};
@@ -17,6 +17,8 @@ use crate::theory::{Edges, combination, primary};
 const LONGEST: usize = 4;
 /// Most branches that are followed.
 const MOST: usize = 24;
+/// Tori between two torus bifurcations.
+const TORI: usize = 10;
 /// Mesh frequencies at which theory and exact branches are compared.
 const COMPARED: usize = 400;
 
@@ -39,7 +41,7 @@ pub(super) struct Branches {
 impl Branches {
     pub(super) fn new(parameters: &Parameters) -> Self {
         let range = range(parameters);
-        let exact = Exact::new(parameters, range, LONGEST, MOST).with_tori();
+        let exact = Exact::new(parameters, range, LONGEST, MOST).with_tori(TORI);
         // Unequal supports have exact branches all the same; the formulas need equal ones.
         Self { exact, setting: Setting::of(parameters).ok(), range }
     }
@@ -121,7 +123,7 @@ impl Branches {
         }
         let place = &|index: usize, spot: Spot| self.exact.by_size(index, spot);
         self.exact.draw(&mut composer, frame, &Style { name: "", place, space: false, marked: true });
-        self.exact.draw_tori(&mut composer, frame);
+        self.exact.draw_tori(&mut composer, frame, 1.0);
         composer.drawing()
     }
 
@@ -152,6 +154,12 @@ impl Branches {
         farthest
     }
 
+    fn distance(&self) -> Option<Distance> {
+        let (omega, theory, exact) = self.farthest()?;
+        let what = "greatest |u_p| of the stable motion, where furthest apart".to_owned();
+        Some(Distance { what, at: Some(("Omega", omega)), theory, exact })
+    }
+
     fn summary(&self) -> String {
         let branches = self.exact.branches();
         let events: usize = branches.iter().map(|branch| branch.events.len()).sum();
@@ -160,10 +168,11 @@ impl Branches {
         match self.farthest() {
             Some((omega, formula, exact)) => format!(
                 "{told}; theory and exact are furthest apart at Omega = {}, where the formula says |u_p| up to {} and the \
-                 stable motion reaches {}.",
+                 stable motion reaches {}, a distance of {}.",
                 number(omega, 4),
                 number(formula, 4),
-                number(exact, 5)
+                number(exact, 5),
+                number(formula - exact, 3)
             ),
             None => format!("{told}."),
         }
@@ -185,6 +194,7 @@ impl Slices for Branches {
             notes: self.exact.notes(),
             facts: vec![("branches", Fact::Number(self.exact.branches().len() as f64))],
             orbits: Some(self.exact.orbits()),
+            distances: self.distance().into_iter().collect(),
             ..Figure::drawn(id, parameters, self.drawing())
         }
     }

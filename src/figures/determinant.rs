@@ -1,6 +1,6 @@
 //! Figures 2 and 4: determinants of the slow flow's Jacobian, (68)-(70) and (92)-(94).
 
-use super::beside::{edges_apart, edges_on_axis};
+use super::beside::{Told, edges_on_axis};
 use super::compose::{Composer, Line, Points, axis, even, number, plane};
 use super::job::{Figure, formula};
 use super::tongues::Setting;
@@ -91,7 +91,7 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters, mode: Mode) -> R
             equations[0], equations[2]
         ),
     );
-    figure.notes = exact;
+    exact.onto(&mut figure);
     figure.error = error;
     figure.notes.push(format!(
         "The equilibria on a branch exist only on one side of its star: for hardening supports (alpha > 0) on the right \
@@ -101,19 +101,19 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters, mode: Mode) -> R
     Ok(figure)
 }
 
-/// Marks the exact edges on the axis, with the damping and without; gives remarks and the errors of the former.
+/// Marks the exact edges on the axis, with the damping and without; gives what is to be told and the errors of the former.
 fn exact_edges(
     composer: &mut Composer,
     frame: usize,
     parameters: &Parameters,
     mode: Mode,
     setting: &Setting,
-) -> (Vec<String>, ErrorEstimate) {
+) -> (Told, ErrorEstimate) {
     let tongue = match mode {
         Mode::Second => Tongue::Primary2,
         Mode::Third => Tongue::Primary3,
     };
-    let (mut notes, mut error) = (Vec::new(), ErrorEstimate::default());
+    let (mut told, mut error) = (Told::default(), ErrorEstimate::default());
     let undamped = Parameters { zeta: 0.0, zeta_p: 0.0, zeta_g: 0.0, ..*parameters };
     for (p, name, label, formula) in [
         (parameters, "with damping", "exact", primary_half_width(&setting.modes, mode, &setting.symmetric)),
@@ -125,12 +125,12 @@ fn exact_edges(
                 let meaning = format!("exact edges of the tongue {name}");
                 let line = Line::new(format!("exact edges {name}"), meaning, Role::Exact);
                 composer.marks(frame, line.label(label, 0.0), Points::plane(edges.map(|x| (x, 0.0))));
-                notes.push(edges_apart(&format!("{name}, of first order,"), formula, edges));
+                told.edges_apart(&format!("{name}, of first order,"), formula, edges);
                 error = error.worse(answer.error);
             }
-            Ok((None, _)) => notes.push(format!("Exactly, {name}, the tongue is closed.")),
-            Err(failed) => notes.push(format!("The exact edges {name} cannot be computed: {failed}.")),
+            Ok((None, _)) => told.notes.push(format!("Exactly, {name}, the tongue is closed.")),
+            Err(failed) => told.notes.push(format!("The exact edges {name} cannot be computed: {failed}.")),
         }
     }
-    (notes, error)
+    (told, error)
 }

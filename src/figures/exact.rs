@@ -20,8 +20,6 @@ const TORUS: f64 = 1e-7;
 /// Orbits with a multiplier above this are left out: what is left of double precision there does not show in a picture,
 /// but nobody would meet them either.
 const STEEPEST: f64 = 1e4;
-/// Tori that are computed between two torus bifurcations.
-const TORI: usize = 10;
 
 /// A torus at one mesh frequency.
 #[derive(Clone, Copy, Debug)]
@@ -49,7 +47,8 @@ pub(super) struct Exact {
     of_tori: ErrorEstimate,
     /// Why there are no branches, where there are none.
     refused: Option<String>,
-    with_tori: bool,
+    /// Tori that are looked for between two torus bifurcations.
+    tori_wanted: usize,
 }
 
 /// A point of a branch, or an event on it, by its index.
@@ -108,13 +107,13 @@ impl Exact {
             tori: Vec::new(),
             of_tori: ErrorEstimate::default(),
             refused: None,
-            with_tori: false,
+            tori_wanted: 0,
         }
     }
 
-    /// With the tori between the torus bifurcations of the steady response.
-    pub(super) fn with_tori(self) -> Self {
-        Self { with_tori: true, ..self }
+    /// With so many tori between any two torus bifurcations of the steady response.
+    pub(super) fn with_tori(self, tori_wanted: usize) -> Self {
+        Self { tori_wanted, ..self }
     }
 
     /// Finds the steady response that the branches begin at.
@@ -139,7 +138,7 @@ impl Exact {
         };
         if self.waiting.is_none() {
             if work.advance()? {
-                self.waiting = Some(if self.with_tori { self.frequencies() } else { Vec::new() });
+                self.waiting = Some(if self.tori_wanted > 0 { self.frequencies() } else { Vec::new() });
             }
             return Ok(false);
         }
@@ -180,7 +179,7 @@ impl Exact {
         for pair in born.chunks_exact(2) {
             let (low, high) = (pair[0].min(pair[1]), pair[0].max(pair[1]));
             // At the edges themselves the torus is a point.
-            wanted.extend(even(low, high, TORI + 2).skip(1).take(TORI));
+            wanted.extend(even(low, high, self.tori_wanted + 2).skip(1).take(self.tori_wanted));
         }
         wanted
     }
@@ -318,15 +317,19 @@ impl Exact {
         }
     }
 
-    /// Draws the tori, as greatest `|u_p|` over the mesh frequency.
-    pub(super) fn draw_tori(&self, composer: &mut Composer, frame: usize) {
+    /// Draws the tori over the mesh frequency, as this part of their greatest `|u_p|`.
+    pub(super) fn draw_tori(&self, composer: &mut Composer, frame: usize, part: f64) {
         let mut tori = self.tori.clone();
         tori.extend(self.births());
         order::by_number(&mut tori, |torus| torus.omega);
         for stable in [true, false] {
             let mut points = Points::default();
             points.piece(tori.iter().map(|torus| {
-                if torus.stable == stable { (torus.omega, torus.max_u_p) } else { (f64::NAN, f64::NAN) }
+                if torus.stable == stable {
+                    (torus.omega, part * torus.max_u_p)
+                } else {
+                    (f64::NAN, f64::NAN)
+                }
             }));
             let word = if stable { "stable" } else { "unstable" };
             let line =

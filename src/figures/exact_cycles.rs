@@ -1,6 +1,6 @@
 //! The exact tori beside the limit cycles of figure 7.
 
-use super::beside::{Part, apart, edges_apart, edges_on_axis, farthest, modal, unloaded};
+use super::beside::{Part, Told, edges_on_axis, farthest, modal, unloaded};
 use super::compose::{Composer, Line, Points, crowded};
 use super::job::Figure;
 use super::tongues::{Setting, Supports, split};
@@ -156,13 +156,13 @@ impl Part for Cycles {
         Ok(self.waiting.as_ref().is_none_or(Vec::is_empty))
     }
 
-    fn draw(&self, formulas: &Figure, composer: &mut Composer, notes: &mut Vec<String>) {
+    fn draw(&self, formulas: &Figure, composer: &mut Composer, told: &mut Told) {
         let damped = combination_half_width(&self.setting.modes, &self.setting.symmetric);
         if let (Some(edges), Some(damped)) = (self.edges, damped) {
-            notes.push(edges_apart("[T6]", damped / self.parameters.k0, edges));
+            told.edges_apart("[T6]", damped / self.parameters.k0, edges);
         }
         if let Some(left) = self.waiting.as_ref().map(Vec::len).filter(|left| *left > 0) {
-            notes.push(format!("{left} exact tori to go."));
+            told.notes.push(format!("{left} exact tori to go."));
         }
         for supports in Supports::BOTH {
             let name = supports.name();
@@ -199,7 +199,7 @@ impl Part for Cycles {
                 let wanted = format!("R_{letter} {name} stable");
                 let curve = formulas.drawing.series.iter().filter(|series| series.name == wanted);
                 if let Some(found) = farthest(curve, &|x| self.radius(supports, mode, x)) {
-                    notes.push(format!("R_{letter}, {name}: {}", apart("Omega_1", found)));
+                    told.apart(&format!("R_{letter}, {name}"), "Omega_1", found);
                 }
             }
         }

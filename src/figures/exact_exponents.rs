@@ -1,6 +1,6 @@
 //! The exact Floquet exponents beside the eigenvalues of figure 6, in the slow flow's own frame.
 
-use super::beside::{Part, edges_apart, edges_on_axis, unloaded};
+use super::beside::{Part, Told, edges_on_axis, unloaded};
 use super::compose::{Composer, Line, Points};
 use super::exponents::{ExponentPaths, NO_GROWTH};
 use super::job::{Figure, Slices};
@@ -95,7 +95,7 @@ impl Part for Exponents {
         self.paths.as_mut().map_or(Ok(true), Slices::advance)
     }
 
-    fn draw(&self, formulas: &Figure, composer: &mut Composer, notes: &mut Vec<String>) {
+    fn draw(&self, formulas: &Figure, composer: &mut Composer, told: &mut Told) {
         let Some(paths) = &self.paths else { return };
         let values = self.values(paths);
         if values.len() < 2 {
@@ -146,7 +146,7 @@ impl Part for Exponents {
         let setting = &paths.setting;
         match (self.edges, combination_half_width(&setting.modes, &setting.symmetric)) {
             (Some(edges), Some(width)) => {
-                notes.push(edges_apart("[T6]", width / self.parameters.k0, edges));
+                told.edges_apart("[T6]", width / self.parameters.k0, edges);
                 let most = values.iter().flat_map(|(_, four)| four).fold(0.0_f64, |most, v| most.max(v.0));
                 let formula = formulas
                     .drawing
@@ -155,12 +155,12 @@ impl Part for Exponents {
                     .filter(|series| series.name.starts_with("Re damped"))
                     .flat_map(|series| &series.y)
                     .fold(0.0_f64, |most, value| most.max(*value));
-                notes.push(super::beside::greatest_growth(formula, most));
+                told.greatest_growth(formula, most);
             }
             (Some(edges), None) => {
-                notes.push(edges_apart("[T4], without damping,", half_width(&setting.modes), edges));
+                told.edges_apart("[T4], without damping,", half_width(&setting.modes), edges);
             }
-            (None, _) => notes.push("Exactly, too, no edge was found: the tongue is closed.".to_owned()),
+            (None, _) => told.notes.push("Exactly, too, no edge was found: the tongue is closed.".to_owned()),
         }
     }
 

@@ -2,20 +2,22 @@
 //! by collocation, each beside its theory.
 
 use super::compose::{Composer, Line, Points, number};
+use super::job::Distance;
 use super::tongues::Setting;
 use crate::chart::drawing::Role;
+use crate::error::StudyError;
 use crate::model::parameters::Parameters;
 use crate::study::ErrorEstimate;
 use crate::study::orbit::{OrbitOptions, PeriodicOrbit, periodic_orbit};
 use crate::study::poincare::Strobe;
-use crate::study::torus::{Torus, torus};
+use crate::study::torus::Torus;
 use crate::theory::branches::{cycles, period_two};
 use crate::theory::modes::Mode;
 use crate::theory::primary::emanating_frequency;
 
 /// Tolerance of periodic points, and of the circle: a line is drawn through it.
 const POINTS: f64 = 1e-10;
-const CIRCLE: f64 = 1e-7;
+pub(super) const CIRCLE: f64 = 1e-7;
 
 /// What is looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,40 +40,42 @@ pub(super) enum ExactMap {
 }
 
 impl ExactMap {
-    pub(super) fn new(p: &Parameters, sought: Sought) -> Self {
-        let setting = Setting::of(p).ok();
-        let found = match sought {
-            Sought::Points => {
-                let options = OrbitOptions { period: 2, tolerance: POINTS, guess: None };
-                periodic_orbit(p, &options).and_then(|orbit| {
-                    let mut strobe = Strobe::new(p, orbit.state, POINTS)?;
-                    let mut states = vec![orbit.state];
-                    for _ in 1..orbit.period {
-                        states.extend(strobe.next()?);
-                    }
-                    let theory = setting.and_then(|setting| {
-                        let away = |mode: Mode| (emanating_frequency(&setting.modes, mode) - p.omega).abs();
-                        let nearer = away(Mode::Second) < away(Mode::Third);
-                        let mode = if nearer { Mode::Second } else { Mode::Third };
-                        let orbits = period_two(&setting.at(p.omega), mode).ok()?;
-                        let orbit = orbits.into_iter().flatten().find(|orbit| orbit.stable)?;
-                        // q = R cos(Omega t/2 - angle), u_p = -2 q.
-                        let (sine, cosine) = orbit.angle.sin_cos();
-                        Some([-2.0 * orbit.radius * cosine, -p.omega * orbit.radius * sine])
-                    });
-                    Ok(Self::Points { orbit, states, theory })
-                })
+    /// The points of the motion of period 2T.
+    pub(super) fn points(p: &Parameters) -> Self {
+        let options = OrbitOptions { period: 2, tolerance: POINTS, guess: None };
+        let found = periodic_orbit(p, &options).and_then(|orbit| {
+            let mut strobe = Strobe::new(p, orbit.state, POINTS)?;
+            let mut states = vec![orbit.state];
+            for _ in 1..orbit.period {
+                states.extend(strobe.next()?);
             }
-            Sought::Circle => torus(p, CIRCLE).map(|torus| {
-                let theory = setting.and_then(|setting| {
-                    let both = cycles(&setting.at(p.omega)).ok()?;
-                    let cycle = both.into_iter().flatten().find(|cycle| cycle.stable)?;
-                    Some(2.0 * (cycle.radius_b + cycle.radius_c))
-                });
-                Self::Circle { torus, theory }
-            }),
-        };
+            let theory = Setting::of(p).ok().and_then(|setting| {
+                let away = |mode: Mode| (emanating_frequency(&setting.modes, mode) - p.omega).abs();
+                let nearer = away(Mode::Second) < away(Mode::Third);
+                let mode = if nearer { Mode::Second } else { Mode::Third };
+                let orbits = period_two(&setting.at(p.omega), mode).ok()?;
+                let orbit = orbits.into_iter().flatten().find(|orbit| orbit.stable)?;
+                // q = R cos(Omega t/2 - angle), u_p = -2 q.
+                let (sine, cosine) = orbit.angle.sin_cos();
+                Some([-2.0 * orbit.radius * cosine, -p.omega * orbit.radius * sine])
+            });
+            Ok(Self::Points { orbit, states, theory })
+        });
         found.unwrap_or_else(|error| Self::Nothing(error.to_string()))
+    }
+
+    /// The invariant circle, from what its search came to.
+    pub(super) fn circle(p: &Parameters, found: Result<Torus, StudyError>) -> Self {
+        let torus = match found {
+            Ok(torus) => torus,
+            Err(error) => return Self::Nothing(error.to_string()),
+        };
+        let theory = Setting::of(p).ok().and_then(|setting| {
+            let both = cycles(&setting.at(p.omega)).ok()?;
+            let cycle = both.into_iter().flatten().find(|cycle| cycle.stable)?;
+            Some(2.0 * (cycle.radius_b + cycle.radius_c))
+        });
+        Self::Circle { torus, theory }
     }
 
     pub(super) fn draw(&self, composer: &mut Composer, frame: usize) {
@@ -141,6 +145,28 @@ impl ExactMap {
                 )
             }
             Self::Nothing(why) => format!("No exact attractor beside the trajectories: {why}."),
+        }
+    }
+
+    /// The theory beside the exact answer.
+    pub(super) fn distances(&self) -> Vec<Distance> {
+        let beside = |what: &str, theory: f64, exact: f64| {
+            let what = what.to_owned();
+            Distance { what, at: None, theory, exact }
+        };
+        match self {
+            Self::Points { states, theory: Some(theory), .. } => {
+                let nearest =
+                    states.iter().min_by(|one, other| off(one, theory).total_cmp(&off(other, theory)));
+                nearest.map_or_else(Vec::new, |state| {
+                    let pairs = [("u_p of the point [T7]", 0, 0), ("u_p' of the point [T7]", 1, 3)];
+                    pairs.map(|(what, of, at)| beside(what, theory[of], state[at])).into()
+                })
+            }
+            Self::Circle { torus, theory: Some(theory) } => {
+                vec![beside("greatest |u_p| of the cycle [T8]", *theory, torus.max_u_p)]
+            }
+            _ => Vec::new(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The exact motions of period 2T beside the pitchforks of figures 3 and 5, as amplitudes of the mode at half the mesh
 //! frequency.
 
-use super::beside::{Part, apart, farthest, modal, unloaded};
+use super::beside::{Part, Told, farthest, modal, unloaded};
 use super::compose::Composer;
 use super::exact::{Exact, Spot, Style};
 use super::job::Figure;
@@ -109,7 +109,7 @@ impl Pitchforks {
     }
 
     /// Draws one side: both points of each orbit, in the plane and in space.
-    fn draw_side(&self, side: &Side, formulas: &Figure, composer: &mut Composer, notes: &mut Vec<String>) {
+    fn draw_side(&self, side: &Side, formulas: &Figure, composer: &mut Composer, told: &mut Told) {
         let name = side.supports.name();
         let frame = |kind: &str| {
             let wanted = format!("{name}-{kind}");
@@ -138,7 +138,7 @@ impl Pitchforks {
                 Style { name: &format!(" {name}{suffix} 3-D"), place: in_space, space: true, marked: false };
             side.exact.draw(composer, space, &style);
         }
-        notes.extend(side.exact.notes());
+        told.notes.extend(side.exact.notes());
         let stable = formulas.drawing.series.iter().filter(|series| {
             series.frame == flat
                 && series.role == Role::Corrected
@@ -150,7 +150,7 @@ impl Pitchforks {
             [if cosine.hypot(sine) < top { x } else { f64::NAN }, cosine.hypot(sine), 0.0]
         };
         if let Some(found) = farthest(stable, &|x| side.exact.stable_at(x, radius)) {
-            notes.push(format!("{} supports: {}", capital(name), apart("Omega_1", found)));
+            told.apart(&format!("{} supports", capital(name)), "Omega_1", found);
         }
     }
 }
@@ -176,9 +176,9 @@ impl Part for Pitchforks {
         Ok(true)
     }
 
-    fn draw(&self, formulas: &Figure, composer: &mut Composer, notes: &mut Vec<String>) {
+    fn draw(&self, formulas: &Figure, composer: &mut Composer, told: &mut Told) {
         for side in &self.sides {
-            self.draw_side(side, formulas, composer, notes);
+            self.draw_side(side, formulas, composer, told);
         }
     }
 

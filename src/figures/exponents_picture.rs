@@ -1,8 +1,9 @@
 //! Figure 8 as a picture: paths of the exponents, the slow flow beside them, and what the origin is along `Omega`.
 
+use super::beside::Told;
 use super::compose::{Composer, Line, Points, axis, even, number, plane};
 use super::exponents::{Exponent, ExponentPaths, Kind, NO_GROWTH, Track};
-use super::job::Figure;
+use super::job::{Distance, Figure};
 use super::tongues::split;
 use crate::chart::drawing::{Drawing, Frame, Mark, Role};
 use crate::model::parameters::Parameters;
@@ -18,7 +19,8 @@ impl ExponentPaths {
     /// The picture so far.
     pub(super) fn picture(&self, id: &'static str, parameters: &Parameters) -> Figure {
         let tracks = self.tracks();
-        let mut notes = Vec::new();
+        let mut told = Told::default();
+        let notes = &mut told.notes;
         let inside = parameters.omega > self.range.0 && parameters.omega < self.range.1;
         if !inside {
             notes.push(format!(
@@ -34,19 +36,20 @@ impl ExponentPaths {
         if let (done, Some(left)) = self.progress() {
             notes.push(format!("{done} frequencies computed, {left} to go."));
         } else {
-            notes.extend(self.edges_apart());
+            self.edges_apart(&mut told);
         }
-        Figure {
+        let mut figure = Figure {
             summary: self.summary(parameters.omega),
             method: format!("exact: {}; slow flow: closed formulas [T5], [T6]", self.method),
             error: self.error,
-            notes,
             ..Figure::drawn(id, parameters, self.drawing(&tracks, parameters.omega))
-        }
+        };
+        told.onto(&mut figure);
+        figure
     }
 
     /// The distance of the first-order edges from the exact ones between which they lie.
-    fn edges_apart(&self) -> Vec<String> {
+    fn edges_apart(&self, told: &mut Told) {
         let (modes, symmetric) = (&self.setting.modes, &self.setting.symmetric);
         let exact = self.intervals();
         let formulas = [
@@ -54,20 +57,24 @@ impl ExponentPaths {
             ("combination [T6]", combination_edges(modes, symmetric)),
             ("third mode [T5]", primary_edges(modes, Mode::Third, symmetric)),
         ];
-        let pairs = formulas.into_iter().zip(self.places).filter_map(|((name, edges), place)| {
-            let edges = edges?;
-            let (left, right, _) = exact.iter().find(|(left, right, kind)| {
+        for ((name, edges), place) in formulas.into_iter().zip(self.places) {
+            let Some(edges) = edges else { continue };
+            let found = exact.iter().find(|(left, right, kind)| {
                 *kind != Kind::Stable && *left < edges.right.max(place) && *right > edges.left.min(place)
-            })?;
-            Some(format!(
+            });
+            let Some((left, right, _)) = found else { continue };
+            told.notes.push(format!(
                 "Edges of the {name}: exact {} and {}, the formula is off by {} and {}.",
                 number(*left, 6),
                 number(*right, 6),
                 number(edges.left - left, 2),
                 number(edges.right - right, 2)
-            ))
-        });
-        pairs.collect()
+            ));
+            for (side, theory, exact) in [("left", edges.left, *left), ("right", edges.right, *right)] {
+                let what = format!("Omega of the {side} edge, {name}");
+                told.distances.push(Distance { what, at: None, theory, exact });
+            }
+        }
     }
 
     fn damped(&self) -> bool {

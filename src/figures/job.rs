@@ -59,6 +59,8 @@ pub struct Figure {
     pub end: Option<[f64; 6]>,
     /// The orbits behind the branches that are drawn, for a reader who picks one.
     pub orbits: Option<Orbits>,
+    /// How far the theory is from the exact answer, place by place.
+    pub distances: Vec<Distance>,
 }
 
 /// One thing that a figure has found.
@@ -85,6 +87,26 @@ pub struct Orbits {
     pub stable: Vec<f64>,
     /// State at t = 0, six numbers a row.
     pub state: Vec<f64>,
+}
+
+/// A formula's number beside the exact one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Distance {
+    /// What it is, in plain words, with the formula in brackets.
+    pub what: String,
+    /// Where: the axis by its ASCII name, and the place on it; none for a number that has no place.
+    pub at: Option<(&'static str, f64)>,
+    /// As the formula has it.
+    pub theory: f64,
+    /// As the exact system has it.
+    pub exact: f64,
+}
+
+impl Distance {
+    /// Theory minus exact.
+    pub fn difference(&self) -> f64 {
+        self.theory - self.exact
+    }
 }
 
 /// One line of a table that sets what is printed beside what is computed.
@@ -148,6 +170,7 @@ impl Figure {
             start: None,
             end: None,
             orbits: None,
+            distances: Vec::new(),
         }
     }
 

@@ -37,6 +37,6 @@ mod trajectory;
 mod trajectory_map;
 mod trajectory_spectrum;
 
-pub use job::{Entry, Fact, Figure, Job, Motion, Orbits, Row, at_time, figure};
+pub use job::{Distance, Entry, Fact, Figure, Job, Motion, Orbits, Row, at_time, figure};
 pub use specification::{Preset, Specification, specification, specifications};
 pub use start::START;

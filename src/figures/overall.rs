@@ -1,6 +1,6 @@
 //! Figures 9 and 10: all first-order branches over the mesh frequency.
 
-use super::beside::{apart, farthest};
+use super::beside::{Told, farthest};
 use super::compose::{Composer, Line, Points, axis, number, plane};
 use super::exact::{Exact, Spot, Style};
 use super::hopf;
@@ -95,6 +95,9 @@ const LONGEST: usize = 2;
 /// Most branches of them.
 const MOST: usize = 24;
 
+/// Tori between two torus bifurcations.
+const TORI: usize = 6;
+
 /// Figure 9 or 10 in the making: the formulas at once, the exact motions as they are computed.
 #[derive(Debug)]
 pub(super) struct Overall {
@@ -124,7 +127,7 @@ impl Overall {
             ..*parameters
         };
         let (low, high) = Tongues::of(&setting).range();
-        let exact = Exact::new(&p, (low.max(0.3 * high.min(1.0)), high), LONGEST, MOST);
+        let exact = Exact::new(&p, (low.max(0.3 * high.min(1.0)), high), LONGEST, MOST).with_tori(TORI);
         Ok(Self { formulas, exact })
     }
 
@@ -135,14 +138,13 @@ impl Overall {
     }
 
     /// Where the formula of the stable motion and the exact one are furthest apart.
-    fn farthest(&self) -> Option<String> {
+    fn farthest(&self) -> Option<[f64; 3]> {
         let stable = self.formulas.drawing.series.iter().filter(|series| {
             series.role == Role::Corrected && series.stable == Some(true) && series.name.starts_with("R_")
         });
-        let found = farthest(stable.filter(|series| !series.name.contains("cycle")), &|omega| {
+        farthest(stable.filter(|series| !series.name.contains("cycle")), &|omega| {
             self.exact.stable_at(omega, &|index, spot| self.place(index, spot))
-        })?;
-        Some(apart("Omega", found))
+        })
     }
 }
 
@@ -156,13 +158,17 @@ impl Slices for Overall {
         let mut composer = Composer::on(figure.drawing);
         let place = &|index: usize, spot: Spot| self.place(index, spot);
         self.exact.draw(&mut composer, 0, &Style { name: "", place, space: false, marked: true });
+        self.exact.draw_tori(&mut composer, 0, 0.5);
         figure.drawing = composer.drawing();
-        figure.notes.extend(self.exact.notes());
-        figure.notes.extend(self.farthest());
+        let mut told = Told { notes: self.exact.notes(), ..Told::default() };
+        if let Some(found) = self.farthest() {
+            told.apart("", "Omega", found);
+        }
+        told.onto(&mut figure);
         figure.error = self.exact.error();
         figure
             .method
-            .push_str("; exact: continuation of the stroboscopic map, drawn as half of the greatest |u_p|");
+            .push_str("; exact: continuation of the stroboscopic map, tori by collocation, drawn as half of the greatest |u_p|");
         figure
     }
 }

@@ -1,7 +1,7 @@
 //! Figures 11-13: stroboscopic maps, which fill in as they are computed.
 
 use super::compose::{Composer, Line, Points, axis, number, plane, rounded_up};
-use super::exact_map::{ExactMap, Sought};
+use super::exact_map::{self, ExactMap, Sought};
 use super::job::{Figure, Slices};
 use crate::chart::drawing::{Drawing, Mark, Role};
 use crate::error::FigureError;
@@ -9,6 +9,7 @@ use crate::model::parameters::{Parameters, Regime};
 use crate::study::multipliers::{Multipliers, multipliers};
 use crate::study::orbit::{OrbitOptions, PeriodicOrbit, periodic_orbit};
 use crate::study::poincare::Strobe;
+use crate::study::torus::TorusWork;
 use std::collections::HashSet;
 
 /// The paper's start, from which its mirror image and the others are made: at rest, on the manifold `u_g = -u_p`.
@@ -112,7 +113,7 @@ pub(super) fn draws(id: &str) -> bool {
 }
 
 /// A map in the making.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Map {
     parameters: Parameters,
     centre: Option<Multipliers>,
@@ -121,6 +122,8 @@ pub(super) struct Map {
     turn: usize,
     /// Where starts can be expected to end, once they have.
     exact: Option<ExactMap>,
+    /// The search for it, where that takes long.
+    search: Option<TorusWork>,
 }
 
 impl Slices for Map {
@@ -136,8 +139,7 @@ impl Slices for Map {
             left -= share;
         }
         if left == SLICE && self.exact.is_none() {
-            self.exact = self.sought().map(|sought| ExactMap::new(&self.parameters, sought));
-            return Ok(true);
+            return self.seek();
         }
         Ok(self.finished() && (self.exact.is_some() || self.sought().is_none()))
     }
@@ -159,6 +161,7 @@ impl Slices for Map {
             method,
             error: self.exact.as_ref().and_then(ExactMap::error).unwrap_or_else(of_orbit),
             notes,
+            distances: self.exact.as_ref().map_or_else(Vec::new, ExactMap::distances),
             ..Figure::drawn(id, parameters, self.drawing(centre))
         }
     }
@@ -173,6 +176,7 @@ impl Map {
             attractors: Vec::new(),
             turn: 0,
             exact: None,
+            search: None,
         }
     }
 
@@ -183,6 +187,22 @@ impl Map {
             Some(Centre::Spiral) => Some(Sought::Circle),
             _ => None,
         }
+    }
+
+    /// Does a slice of the search for what is exact; true when it is over.
+    fn seek(&mut self) -> Result<bool, FigureError> {
+        match (self.sought(), &mut self.search) {
+            (None, _) => return Ok(true),
+            (Some(Sought::Points), _) => self.exact = Some(ExactMap::points(&self.parameters)),
+            (Some(Sought::Circle), None) => {
+                self.search = Some(TorusWork::new(&self.parameters, exact_map::CIRCLE)?);
+            }
+            (Some(Sought::Circle), Some(search)) => {
+                let found = search.advance();
+                self.exact = found.map(|found| ExactMap::circle(&self.parameters, found));
+            }
+        }
+        Ok(self.exact.is_some())
     }
 
     /// The equations are unchanged by `u -> -u`: every start stands for its mirror image too.

@@ -216,7 +216,7 @@ static SPECIFICATIONS: [Specification; 31] = [
         "The whole diagram, hardening supports",
         "All first-order branches over *Ω*, hardening supports (+*α*): the pitchforks of the second and third modes \
             and the limit cycles between them. Grey: as printed, undamped; green: corrected, with damping; blue and \
-            vermilion: exact, as half of the greatest |*u*_{p}|.",
+            vermilion: exact, as half of the greatest |*u*_{p}|, which for a torus is both radii together.",
     ),
     overall(
         "10",

@@ -1,7 +1,7 @@
 //! Figure T: the tongues of instability, exact, over the mesh frequency and the depth of the pulsation.
 
 use super::compose::{Composer, Line, Points, axis, even, number, plane};
-use super::job::{Fact, Figure};
+use super::job::{Distance, Fact, Figure};
 use super::tongue_range::range;
 use super::tongues::Setting;
 use crate::chart::drawing::{Drawing, Frame, Mark, Role};
@@ -12,7 +12,7 @@ use crate::study::ErrorEstimate;
 use crate::study::grid::Grid;
 use crate::study::multipliers::multipliers;
 use crate::study::stability_chart::{StabilityChart, stability_chart};
-use crate::study::tongue::{EdgeKind, Tongue};
+use crate::study::tongue::{EdgeKind, Tongue, tongue_edges};
 use crate::study::tongue_boundary::{TongueBoundary, tongue_boundary};
 use crate::theory::damped::{combination_edges, primary_edges};
 use crate::theory::modes::Mode;
@@ -104,7 +104,11 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
         method: format!("field: {}; boundaries: pseudo-arclength continuation to 1e-9", chart.method),
         error: ErrorEstimate {
             liouville: here.error.liouville,
-            step: greatest(|error| error.step),
+            // Of the field where it is drawn, absolutely, of the spectral radius.
+            step: greatest(|error| error.step)
+                .into_iter()
+                .chain(charted.then_some(chart.error))
+                .reduce(f64::max),
             residual: greatest(|error| error.residual),
         },
         notes,
@@ -113,8 +117,32 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
             ("spectralRadius", Fact::Number(here.spectral_radius)),
             ("growth", Fact::Number(growth)),
         ],
+        distances: if charted { distances(&p) } else { Vec::new() },
         ..Figure::drawn(id, parameters, drawing)
     })
+}
+
+/// The edges at the present depth by formula, with damping, and exactly.
+fn distances(p: &Parameters) -> Vec<Distance> {
+    let Ok(setting) = Setting::of(p) else { return Vec::new() };
+    let (modes, symmetric) = (&setting.modes, &setting.symmetric);
+    let formulas = [
+        ("[T5]", primary_edges(modes, Mode::Second, symmetric)),
+        ("[T6]", combination_edges(modes, symmetric)),
+        ("[T5]", primary_edges(modes, Mode::Third, symmetric)),
+    ];
+    let pairs = NAMED.into_iter().zip(formulas).filter_map(|((tongue, name, _), (equation, edges))| {
+        let exact = tongue_edges(p, tongue, BOUNDARY).ok()?;
+        let (edges, left, right) = (edges?, exact.left?, exact.right?);
+        let beside = |side: &str, theory: f64, exact: f64| Distance {
+            what: format!("Omega of the {side} edge, {name} {equation}"),
+            at: Some(("k0", p.k0)),
+            theory,
+            exact,
+        };
+        Some([beside("left", edges.left, left), beside("right", edges.right, right)])
+    });
+    pairs.flatten().collect()
 }
 
 /// The boundaries of the three tongues and of the larger ones among the others that the field shows.

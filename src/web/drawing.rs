@@ -5,7 +5,7 @@ use wasm_bindgen::JsValue;
 
 use crate::chart::drawing::{Axis, Drawing, Frame, Mark, Series};
 use crate::error::FigureError;
-use crate::figures::{self, Entry, Fact, Figure, Motion, Orbits, Row, START};
+use crate::figures::{self, Distance, Entry, Fact, Figure, Motion, Orbits, Row, START};
 use crate::study::ErrorEstimate;
 use crate::web::columns::{Record, parameters_record};
 use crate::web::errors::WebError;
@@ -39,6 +39,7 @@ pub fn figure_record(figure: &Figure, title: &str) -> Record {
         .value("summary", figure.summary.as_str())
         .texts("notes", figure.notes.iter().map(String::as_str))
         .record("facts", facts_record(figure))
+        .list("distances", figure.distances.iter().map(distance_record))
         .provenance(&figure.method, &figure.error);
     let record = if figure.table.is_empty() {
         record.value("table", JsValue::NULL)
@@ -91,6 +92,18 @@ fn orbits_record(orbits: &Orbits) -> Record {
         .column("period", &orbits.period)
         .column("stable", &orbits.stable)
         .column("state", &orbits.state)
+}
+
+fn distance_record(distance: &Distance) -> Record {
+    let record = Record::new().value("what", distance.what.as_str());
+    let record = match distance.at {
+        Some((axis, at)) => record.value("axis", axis).number("at", at),
+        None => record.value("axis", JsValue::NULL).value("at", JsValue::NULL),
+    };
+    record
+        .number("theory", distance.theory)
+        .number("exact", distance.exact)
+        .number("difference", distance.difference())
 }
 
 fn row_record(row: &Row) -> Record {
@@ -184,12 +197,13 @@ pub fn read_figure(value: &JsValue) -> Result<(Figure, String), WebError> {
             residual: read_optional(&error, "residual")?,
         },
         motion: read_motion(&object.get("motion")?)?,
-        // Drawing needs rows, facts and orbits no more; the object keeps them.
+        // Drawing needs rows, facts, distances and orbits no more; the object keeps them.
         table: Vec::new(),
         facts: Vec::new(),
         orbits: None,
         start,
         end: None,
+        distances: Vec::new(),
         notes: notes.iter().map(|note| note.text(LONGEST_SENTENCE)).collect::<Result<_, _>>()?,
     };
     Ok((figure, title))

@@ -100,6 +100,8 @@ test("each box says its range where a screen reader finds it", async ({ page }) 
 
 test("attributes give parameters in any letter case, and what is wrong with them is said", async ({ page }) => {
   await open(page);
+  // What is in sight is computed first.
+  await figure(page, "3").scrollIntoViewIfNeeded();
   await page.evaluate(() => {
     document.querySelector("#fig-3")?.setAttribute("K0", "0.25");
   });

@@ -49,11 +49,34 @@ test("figures() tells of every figure, with its own defaults", () => {
   assert.deepEqual([presets["14b"]?.zeta, presets["14b"]?.alpha_g, presets["14b"]?.F], [0.07, -1.3, 1.5]);
 });
 
+test("figures with theory and exact answer give the distance between them, and every exact one its errors", () => {
+  for (const id of "2 3 4 5 6 7 8 9 10 11a 11b 11c 12a 12b 12c 13a 13b 13c T B".split(" ")) {
+    const { distances, error } = /** @type {Figure} */ (figures.get(id));
+    assert.ok(distances.length > 0, `figure ${id}`);
+    for (const { what, axis, at, theory, exact, difference } of distances) {
+      assert.ok(what.length > 5 && (axis === null) === (at === null), `figure ${id}: ${what}`);
+      assert.equal(difference, theory - exact);
+      // They are of the same thing: a formula of first order is off by some part of what it says.
+      assert.ok(Math.abs(difference) < 3 * Math.max(Math.abs(theory), Math.abs(exact)), `figure ${id}: ${what}`);
+    }
+    const errors = Object.values(error);
+    assert.ok(errors.length > 0 && errors.every((value) => value >= 0), `figure ${id}: ${JSON.stringify(error)}`);
+    // Among many branches there are orbits so unstable that a picture is all they are good for; their errors are told as they are.
+    const many = ["7", "9", "10", "B"].includes(id);
+    assert.ok(many || errors.every((value) => value < 1e-5), `figure ${id}: ${JSON.stringify(error)}`);
+  }
+  for (const id of ["14a", "14b", "M", "S", "L", "A", "1"]) {
+    assert.ok(Object.keys(/** @type {Figure} */ (figures.get(id)).error).length > 0, `figure ${id}`);
+  }
+  const { summary, distances } = /** @type {Figure} */ (figures.get("B"));
+  assert.ok(summary.includes(`a distance of ${Number(distances[0].difference.toPrecision(3))}`), summary);
+});
+
 test("figure() has the shape of the contract and holds no number that is not finite", () => {
   for (const [id, figure] of figures) {
     assert.deepEqual(
       Object.keys(figure),
-      "id title params grid axes series summary notes facts method error table end orbits motion".split(" "),
+      "id title params grid axes series summary notes facts distances method error table end orbits motion".split(" "),
     );
     assert.equal(figure.id, id);
     allFinite(figure, id);

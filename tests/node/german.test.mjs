@@ -38,6 +38,7 @@ function checkFigure(figure) {
   for (const { title, x, y, z, bar } of figure.axes) {
     for (const text of [title, x.label, y.label, z?.label, bar?.label]) check(text ?? "", id);
   }
+  for (const { what } of figure.distances) check(what, id);
   for (const { meaning, label } of figure.series) for (const text of [meaning, label ?? ""]) check(text, id);
   for (const row of figure.table ?? []) {
     for (const entry of [row.where, row.what, row.printed, row.ours, row.exact, row.remark]) if (typeof entry === "string") check(entry, id);

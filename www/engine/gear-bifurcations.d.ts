@@ -444,6 +444,7 @@ export interface BasinOptions {
   y: GridOption;
   /** The other coordinates. */
   state?: State;
+  /** After which a start is left undecided; default: as many as the slowest attractor asks for, 600 to 6000. */
   periods?: number;
   /** Default 1e-6. */
   tolerance?: number;
@@ -668,6 +669,19 @@ export interface TableRow {
 }
 
 /** A computed figure: plain data that can be cloned, stored, posted and drawn again. */
+/** A formula's number beside the exact one. */
+export interface FigureDistance {
+  /** What it is, in words. */
+  what: string;
+  /** Where: the axis by its name, and the place on it; null for a number that has no place. */
+  axis: string | null;
+  at: number | null;
+  theory: number;
+  exact: number;
+  /** Theory minus exact. */
+  difference: number;
+}
+
 export interface Figure extends Provenance {
   id: string;
   title: string;
@@ -682,6 +696,8 @@ export interface Figure extends Provenance {
   notes: string[];
   /** What the summary is made of, by name: numbers, words, or whether something is so. */
   facts: Record<string, number | string | boolean>;
+  /** How far the theory is from the exact answer, place by place; empty where there is only one of them. */
+  distances: FigureDistance[];
   /** The lines of a figure that is a table (figure E); null for the others. */
   table: TableRow[] | null;
   /** The state in which what was computed of a motion ends, after whole mesh periods (figure U); else null. */

@@ -61,6 +61,7 @@ function sample(gear) {
     facts: {},
     end: null,
     orbits: null,
+    distances: [],
     method: "",
     error: {},
     table: null,

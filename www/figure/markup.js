@@ -37,7 +37,7 @@ export function plain(markup) {
   );
 }
 
-const NAME = /\b(Omega|alpha|zeta|lambda|epsilon)(?:_(\w+))?\b|\b([RBCu])_(\w+)\b|\bk0\b|\b[uRtT](?= =)|\b[ab](?=\^)|\^\d+|'|-(?=[\d.])/g;
+const NAME = /\b(Omega|alpha|zeta|lambda|epsilon)(?:_(\w+))?\b|\b([RBCu])_(\w+)\b|\bk0\b|\b[uRtT](?= =)|\b[ab](?=\^)|\^−?\d+|\b\d+(?:\.\d+)?e[-+]?\d+\b|'|-(?=[\d.])/g;
 /** @type {Readonly<Record<string, string>>} */
 const GREEK = { Omega: "Ω", alpha: "α", zeta: "ζ", lambda: "λ", epsilon: "ε" };
 
@@ -52,6 +52,7 @@ export function sentence(text) {
     if (all === "'") return "’";
     if (all === "-") return "−";
     if (all.startsWith("^")) return `^{${all.slice(1)}}`;
+    if (/^\d/.test(all)) return all.replace("+", "").replace("e", " × 10^{").replace("-", "−") + "}";
     if (all === "k0") return "*k*_{0}";
     const lowered = greekIndex ?? index;
     return `*${GREEK[greek] ?? letter ?? all}*${lowered === undefined ? "" : `_{${lowered}}`}`;

@@ -13,6 +13,7 @@ import { lastDigit } from "./digits.js";
 import { dataAt, frameAt, frameOf, pixelOf, pixelSize } from "./frames.js";
 import { FURNITURE } from "./furniture.js";
 import { elements, sentence } from "./markup.js";
+import { errorWords, trustWords } from "./trust.js";
 
 /** As near as this to a curve or mark is on it, CSS pixels. */
 const NEAR = 9;
@@ -29,6 +30,7 @@ const NEAR = 9;
  * @property {{series: FigureSeries, index: number} | null} point  The computed point that is read, or null for a mere place.
  * @property {string | null} meaning  Of what is drawn there.
  * @property {number | null} value  Of a field.
+ * @property {string | null} [trust]  How far it can be trusted.
  */
 
 /**
@@ -50,7 +52,9 @@ export function read(figure, maps, pixel, shown) {
   const value = field === undefined ? null : valueAt(field, place.x, place.y);
   const found = under(figure, map, pixel, shown);
   const meaning = found?.series.meaning ?? (value === null ? null : (field?.meaning ?? null));
-  const reading = { map, frame, pixel, ...place, point: null, meaning, value };
+  const ofField = value === null ? null : errorWords(figure.error) || null;
+  const trust = found === null ? ofField : trustWords(figure, found.series, place);
+  const reading = { map, frame, pixel, ...place, point: null, meaning, value, trust };
   return found === null || found.index === null ? reading : { ...reading, ...pointAt(map, found.series, found.index) };
 }
 
@@ -73,7 +77,7 @@ export function pointAt(map, series, index) {
  * @param {Reading} reading
  * @returns {DocumentFragment}
  */
-export function readout(figure, { map, frame, x, y, point, meaning, value }) {
+export function readout(figure, { map, frame, x, y, point, meaning, value, trust = null }) {
   const size = pixelSize(map);
   const words = document.createDocumentFragment();
   const step = (/** @type {"x" | "y"} */ axis, /** @type {number} */ at) =>
@@ -85,6 +89,7 @@ export function readout(figure, { map, frame, x, y, point, meaning, value }) {
     words.append(", ", elements(frame.bar.label), ` = ${showTo(value, (frame.bar.high - frame.bar.low) / 500)}`);
   }
   if (meaning !== null) words.append(": ", sentence(meaning));
+  if (trust !== null) words.append(" (", sentence(trust), ")");
   return words;
 }
 

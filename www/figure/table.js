@@ -10,6 +10,7 @@
 import { number, say } from "../words/say.js";
 import { FURNITURE } from "./furniture.js";
 import { elements, plain, sentence } from "./markup.js";
+import { distanceWords, errorWords } from "./trust.js";
 
 /** Rows in all tables of a figure together. */
 const ROWS = 360;
@@ -30,6 +31,14 @@ export function showTables(details, figure) {
   words.append(sentence(figure.summary));
   const method = document.createElement("p");
   method.append(say("table.method"), " ", sentence(figure.method));
+  const trust = document.createElement("p");
+  const errors = errorWords(figure.error);
+  if (errors !== "") trust.append(sentence(say("trust.errors", { errors })));
+  const apart = distanceWords(figure).map((words) => {
+    const line = document.createElement("p");
+    line.append(sentence(words));
+    return line;
+  });
   const scroll = document.createElement("div");
   // A region that scrolls must be reachable by keys.
   scroll.tabIndex = 0;
@@ -37,7 +46,7 @@ export function showTables(details, figure) {
   scroll.setAttribute("aria-label", say("table.numbers"));
   scroll.append(...tables(figure));
   for (const old of [...details.children].slice(1)) old.remove();
-  details.append(words, method, scroll);
+  details.append(words, method, ...(errors === "" ? [] : [trust]), ...apart, scroll);
 }
 
 /**

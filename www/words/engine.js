@@ -121,6 +121,7 @@ export function spokenFigure(figure) {
       meaning: spoken(series.meaning),
       label: series.label === null ? null : spoken(series.label),
     })),
+    distances: figure.distances.map((distance) => ({ ...distance, what: spoken(distance.what) })),
     table:
       figure.table?.map((row) => ({
         ...row,

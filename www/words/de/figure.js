@@ -69,4 +69,11 @@ export const words = {
   "legend.interval-stable": "Zentrum",
   "legend.interval-saddle": "Sattel",
   "legend.interval-spiral": "Spirale",
+  "trust.errors": "Fehler: {errors}.",
+  "trust.residual": "Newton-Rest {value}",
+  "trust.liouville": "Liouville {value}",
+  "trust.step": "halber Schritt {value}",
+  "trust.apart": "Theorie minus exakt {difference}",
+  "trust.distance": "Theorie minus exakt, {what}: {theory} minus {exact} ist {difference}.",
+  "trust.distance-at": "Theorie minus exakt, {what}, bei {axis} = {at}: {theory} minus {exact} ist {difference}.",
 };

@@ -69,4 +69,11 @@ export const words = {
   "legend.interval-stable": "centre",
   "legend.interval-saddle": "saddle",
   "legend.interval-spiral": "spiral",
+  "trust.errors": "Errors: {errors}.",
+  "trust.residual": "Newton residual {value}",
+  "trust.liouville": "Liouville {value}",
+  "trust.step": "step halved {value}",
+  "trust.apart": "theory minus exact {difference}",
+  "trust.distance": "Theory minus exact, {what}: {theory} minus {exact} is {difference}.",
+  "trust.distance-at": "Theory minus exact, {what}, at {axis} = {at}: {theory} minus {exact} is {difference}.",
 };

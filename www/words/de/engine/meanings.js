@@ -2,6 +2,22 @@
 
 /** @type {import("../../engine.js").Patterns} */
 export const meanings = [
+  ["Omega_1 of the left edge, {1}", "Omega_1 des linken Rands, {1}"],
+  ["Omega_1 of the right edge, {1}", "Omega_1 des rechten Rands, {1}"],
+  ["Omega of the left edge, {1} [T5]", "Omega des linken Rands, {1} [T5]"],
+  ["Omega of the right edge, {1} [T5]", "Omega des rechten Rands, {1} [T5]"],
+  ["Omega of the left edge, {1} [T6]", "Omega des linken Rands, {1} [T6]"],
+  ["Omega of the right edge, {1} [T6]", "Omega des rechten Rands, {1} [T6]"],
+  ["with damping, of first order", "mit Dämpfung, in erster Ordnung"],
+  ["without damping, of first order", "ohne Dämpfung, in erster Ordnung"],
+  ["[T4], without damping", "[T4], ohne Dämpfung"],
+  ["R where furthest apart", "R, wo es am weitesten auseinanderliegt"],
+  ["R, {1}, where furthest apart", "R, {1}, wo es am weitesten auseinanderliegt"],
+  ["greatest growth rate", "größte Wachstumsrate"],
+  ["greatest |u_p| of the stable motion, where furthest apart", "größtes |u_p| der stabilen Bewegung, wo es am weitesten auseinanderliegt"],
+  ["u_p of the point [T7]", "u_p des Punkts [T7]"],
+  ["u_p' of the point [T7]", "u_p' des Punkts [T7]"],
+  ["greatest |u_p| of the cycle [T8]", "größtes |u_p| des Zyklus [T8]"],
   ["{1} points of the stable motion of period {2}T", "{1} Punkte der stabilen Bewegung der Periode {2}T"],
   ["Det at {1}, centre", "Det bei {1}, Zentrum"],
   ["Det at {1}, saddle", "Det bei {1}, Sattel"],

@@ -44,8 +44,12 @@ export const methods = [
     "Fortsetzung der stroboskopischen Abbildung, Amplitude der Mode bei der halben Eingriffsfrequenz",
   ],
   [
-    "continuation of the stroboscopic map, drawn as half of the greatest |u_p|",
-    "Fortsetzung der stroboskopischen Abbildung, gezeichnet als Hälfte des größten |u_p|",
+    "continuation of the stroboscopic map, tori by collocation, drawn as half of the greatest |u_p|",
+    "Fortsetzung der stroboskopischen Abbildung, Tori durch Kollokation, gezeichnet als Hälfte des größten |u_p|",
+  ],
+  [
+    "weighted Birkhoff averages along a long motion, the circle by its Fourier series",
+    "gewichtete Birkhoff-Mittel entlang einer langen Bewegung, der Kreis durch seine Fourierreihe",
   ],
   [
     "ln(multiplier)/T of the variational flow, in the frame in which each mode turns",

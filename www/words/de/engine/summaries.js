@@ -134,8 +134,8 @@ export const summaries = [
     "k0 = 0: Ohne Puls gibt es keine Zunge, und die Zweige schrumpfen auf den Ursprung.",
   ],
   [
-    "{1} branches of periodic motions with {2} bifurcations on them; theory and exact are furthest apart at Omega = {3}, where the formula says |u_p| up to {4} and the stable motion reaches {5}.",
-    "{1} Zweige periodischer Bewegungen mit {2} Verzweigungen; Theorie und Exaktes liegen am weitesten auseinander bei Omega = {3}, wo die Formel |u_p| bis {4} sagt und die stabile Bewegung {5} erreicht.",
+    "{1} branches of periodic motions with {2} bifurcations on them; theory and exact are furthest apart at Omega = {3}, where the formula says |u_p| up to {4} and the stable motion reaches {5}, a distance of {6}.",
+    "{1} Zweige periodischer Bewegungen mit {2} Verzweigungen; Theorie und Exaktes liegen am weitesten auseinander bei Omega = {3}, wo die Formel |u_p| bis {4} sagt und die stabile Bewegung {5} erreicht, ein Abstand von {6}.",
   ],
   ["{1} branches of periodic motions with {2} bifurcations on them.", "{1} Zweige periodischer Bewegungen mit {2} Verzweigungen."],
   ["Along Omega the origin is stable everywhere; at Omega = {1} it is {2}.", "Entlang Omega ist der Ursprung überall stabil; bei Omega = {1} ist er {2}."],

@@ -57,8 +57,8 @@ export const titles = [
     "(a), (b) Charakteristische Exponenten des Ursprungs, während *Ω* von der Zunge der zweiten Mode durch die Kombinationszunge zu der der dritten läuft, gesehen in einem Bezugssystem, das sich mit *Ω*/2 dreht. Blau und zinnober: exakt, ln(Multiplikator)/*T*; grün: langsamer Fluss jeder Zunge. Der Ring steht beim gegenwärtigen *Ω*. (c) Was für ein Punkt der Ursprung entlang *Ω* ist.",
   ],
   [
-    "All first-order branches over *Ω*, hardening supports (+*α*): the pitchforks of the second and third modes and the limit cycles between them. Grey: as printed, undamped; green: corrected, with damping; blue and vermilion: exact, as half of the greatest |*u*_{p}|.",
-    "Alle Zweige erster Ordnung über *Ω*, verhärtende Lager (+*α*): die Gabeln der zweiten und der dritten Mode und dazwischen die Grenzzyklen. Grau: wie gedruckt, ungedämpft; grün: berichtigt, mit Dämpfung; blau und zinnober: exakt, als Hälfte des größten |*u*_{p}|.",
+    "All first-order branches over *Ω*, hardening supports (+*α*): the pitchforks of the second and third modes and the limit cycles between them. Grey: as printed, undamped; green: corrected, with damping; blue and vermilion: exact, as half of the greatest |*u*_{p}|, which for a torus is both radii together.",
+    "Alle Zweige erster Ordnung über *Ω*, verhärtende Lager (+*α*): die Gabeln der zweiten und der dritten Mode und dazwischen die Grenzzyklen. Grau: wie gedruckt, ungedämpft; grün: berichtigt, mit Dämpfung; blau und zinnober: exakt, als Hälfte des größten |*u*_{p}|, die bei einem Torus beide Radien zusammen sind.",
   ],
   [
     "The same as figure 9 for softening supports (−*α*): every branch leans to lower *Ω*, and the supercritical edge of each tongue is the right one.",
