@@ -26,13 +26,18 @@ export const COLORS = {
   subcritical: [246, 205, 34],
 };
 
+/** Said by Playwright itself, which keeps service workers out of all tests but their own. */
+const BLOCKED = "Service Worker registration blocked by Playwright";
+
 /** Every test: no console line, no uncaught error, no request but to the page's own origin. */
 export const test = base.extend({
   page: async ({ page, baseURL }, use) => {
     /** @type {string[]} */
     const noise = [];
     const origin = new URL(baseURL ?? "http://127.0.0.1").origin;
-    page.on("console", (message) => noise.push(`console ${message.type()}: ${message.text()}`));
+    page.on("console", (message) => {
+      if (message.text() !== BLOCKED) noise.push(`console ${message.type()}: ${message.text()}`);
+    });
     page.on("pageerror", (error) => noise.push(`uncaught: ${error.message}`));
     page.on("request", (request) => {
       const url = request.url();
