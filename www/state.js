@@ -40,6 +40,7 @@
 
 import { begin, moved, record, redone, replaced, settled, undone } from "./history.js";
 import { presetGiven } from "./presets.js";
+import { PAIRS } from "./values.js";
 
 /** @type {readonly View[]} */
 export const VIEWS = Object.freeze(["story", "lab", "class"]);
@@ -127,6 +128,7 @@ export function withPoint(state, values) {
   /** @type {Record<string, number | string>} */
   const point = { ...state.point };
   for (const [name, value] of Object.entries(values)) {
+    if (isLocked(state, name)) continue;
     if (value === undefined || value === own[name]) delete point[name];
     else point[name] = value;
   }
@@ -139,7 +141,70 @@ export function withPoint(state, values) {
  * @returns {State}
  */
 export function withPreset(state, preset) {
-  return { ...state, preset, point: NOTHING, si: null };
+  return keepingLocked(state, { ...state, preset, point: NOTHING, si: null });
+}
+
+/**
+ * Whether a parameter, or one that is set with it, is held fast by the lesson that is taken.
+ *
+ * @param {State} state
+ * @param {string} name
+ */
+export function isLocked({ lesson }, name) {
+  return lesson !== null && lesson.locked.some((locked) => [locked, ...both(locked)].some((one) => one === name || both(name).includes(one)));
+}
+
+/** The two parameters that a short form sets. @param {string} name @returns {readonly string[]} */
+function both(name) {
+  return PAIRS[/** @type {keyof typeof PAIRS} */ (name)] ?? [];
+}
+
+/**
+ * What the lesson locks stays as it was, wherever else the point goes.
+ *
+ * @param {State} before
+ * @param {State} after
+ * @returns {State}
+ */
+function keepingLocked(before, after) {
+  if (before.lesson === null || before.lesson.locked.length === 0) return after;
+  const kept = Object.entries(pointOf(before)).filter(([name]) => isLocked(before, name));
+  const own = presetGiven(after.preset);
+  const free = Object.entries(after.point).filter(([name]) => !isLocked(before, name));
+  return { ...after, point: Object.fromEntries([...free, ...kept.filter(([name, value]) => own[name] !== value)]) };
+}
+
+/**
+ * The state at a step of the lesson that is taken. Where the step names no figure to start from, the point goes on from
+ * where it is.
+ *
+ * @param {State} state
+ * @param {number} step
+ * @param {string} [preset]
+ * @param {Readonly<Record<string, number | string | boolean>>} [point]
+ * @returns {State}
+ */
+export function withStep(state, step, preset, point = {}) {
+  if (state.lesson === null) return state;
+  const from = preset === undefined ? state : { ...state, preset, point: NOTHING, si: null };
+  const own = presetGiven(from.preset);
+  const set = { ...from.point, .../** @type {Given} */ (point) };
+  const differing = Object.fromEntries(Object.entries(set).filter(([name, value]) => own[name] !== value));
+  return keepingLocked(state, { ...from, point: differing, lesson: { ...state.lesson, step } });
+}
+
+/**
+ * The state at the begin of a lesson; what a link has locked stays locked.
+ *
+ * @param {State} state
+ * @param {string} id
+ * @param {string} [preset]
+ * @param {Readonly<Record<string, number | string | boolean>>} [point]
+ * @returns {State}
+ */
+export function withLesson(state, id, preset, point) {
+  const locked = state.lesson?.locked ?? [];
+  return withStep({ ...state, lesson: { id, step: 0, locked } }, 0, preset, point);
 }
 
 /**

@@ -87,7 +87,9 @@ fn part_of(file: &str) -> Option<&'static str> {
     match file {
         "gear-bifurcations.js" => return Some("module"),
         "www/main.js" => return Some("main"),
-        "www/state.js" | "www/url.js" | "www/history.js" | "www/presets.js" => return Some("state"),
+        "www/state.js" | "www/url.js" | "www/history.js" | "www/presets.js" | "www/values.js" => {
+            return Some("state");
+        }
         _ => {}
     }
     ARROWS.iter().map(|(part, _)| *part).find(|part| file.starts_with(&format!("www/{part}/")))

@@ -10,7 +10,7 @@
  * @property {GearFigure} figure
  */
 
-import { element, set } from "./dom.js";
+import { element, set } from "../controls/dom.js";
 
 /** In the order in which they are read. @type {readonly ChartId[]} */
 export const CHARTS = Object.freeze(["T", "B", "1", "U", "P", "M", "W"]);

@@ -11,9 +11,9 @@ import { density, onAppearance, resolveTheme } from "../figure/appearance.js";
 import { PINS, pointOf, same } from "../state.js";
 import { number, onLanguage, say } from "../words/say.js";
 import { START } from "./charts.js";
-import { button, element, named } from "./dom.js";
+import { button, element, named } from "../controls/dom.js";
 import { contact, sentence } from "./facts.js";
-import { numberOf, PAIRS, valueOf } from "./values.js";
+import { numberOf, PAIRS, valueOf } from "../values.js";
 
 /** What is computed of a pinned state. */
 const ASKED = ["M", "U", "P", "W"];

@@ -6,7 +6,7 @@
 
 import { pointOf, withPoint } from "../state.js";
 import { START } from "./charts.js";
-import { numberOf } from "./values.js";
+import { numberOf } from "../values.js";
 
 /** Steps a second at most: charts must have time to follow. */
 const PAUSE = 120;

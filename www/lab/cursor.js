@@ -8,7 +8,7 @@
  */
 
 import { pixelOf } from "../figure/frames.js";
-import { named, element } from "./dom.js";
+import { named, element } from "../controls/dom.js";
 
 /** How many places of the trail are kept. */
 const TRAIL = 800;

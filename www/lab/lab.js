@@ -15,7 +15,7 @@ import { CHARTS, createCharts } from "./charts.js";
 import { Compare } from "./compare.js";
 import { Creep } from "./creep.js";
 import { Cursor } from "./cursor.js";
-import { button, choice, element, named, spoken } from "./dom.js";
+import { button, choice, element, named, spoken } from "../controls/dom.js";
 import { contact, sentence } from "./facts.js";
 import { Pair } from "./pair.js";
 import { createThumb, Parameters } from "./parameters.js";
@@ -23,7 +23,7 @@ import { pickOrbits, pickStarts } from "./pick.js";
 import { shareWindows } from "./share.js";
 import { Sound } from "./sound.js";
 import { adoptStyle } from "./style.js";
-import { numberOf } from "./values.js";
+import { numberOf } from "../values.js";
 
 learn(words);
 

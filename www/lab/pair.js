@@ -12,9 +12,9 @@ import { parseNumber, writeNumber } from "../controls/number.js";
 import { pointOf, same, withPoint } from "../state.js";
 import { number, onLanguage, say } from "../words/say.js";
 import { START } from "./charts.js";
-import { button, element, named, spoken } from "./dom.js";
+import { button, element, named, spoken } from "../controls/dom.js";
 import { over } from "./facts.js";
-import { numberOf, PAIRS, valueOf } from "./values.js";
+import { numberOf, PAIRS, valueOf } from "../values.js";
 
 /** What is asked for, in groups, each with its unit. @type {readonly (readonly [group: string, quantities: readonly (readonly [name: string, unit: string])[]])[]} */
 const ASKED = [
@@ -330,7 +330,7 @@ function pieces({ columns: { x, y }, pieces: starts }) {
  *
  * @param {Readonly<Record<string, number | string>>} params
  * @param {State} state
- * @param {import("./values.js").Vocabulary} vocabulary
+ * @param {import("../values.js").Vocabulary} vocabulary
  */
 function taken(params, state, vocabulary) {
   /** @type {Record<string, number | string | undefined>} */

@@ -11,8 +11,8 @@ import { elements } from "../figure/markup.js";
 import { pointOf, withPoint } from "../state.js";
 import { number, onLanguage, say } from "../words/say.js";
 import { START } from "./charts.js";
-import { button, element, named, spoken } from "./dom.js";
-import { numberOf, PAIRS, setting, valueOf } from "./values.js";
+import { button, element, named, spoken } from "../controls/dom.js";
+import { numberOf, PAIRS, setting, valueOf } from "../values.js";
 
 /** What each entry of the line opens. @type {readonly {name: string, opens: readonly string[], further?: boolean}[]} */
 const ENTRIES = [

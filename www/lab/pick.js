@@ -11,7 +11,7 @@ import { pointOf, withPoint } from "../state.js";
 import { number, say } from "../words/say.js";
 import { START } from "./charts.js";
 import { mapOf } from "./cursor.js";
-import { numberOf, valueOf } from "./values.js";
+import { numberOf, valueOf } from "../values.js";
 
 /** A pointer that moved no further between press and release has clicked, CSS pixels. */
 const STILL = 5;

@@ -22,7 +22,6 @@ export const words = {
   "link.repeated": "„{name}“ ist zweimal angegeben; das erste zählt.",
   "link.more": "Und {count} weitere.",
   "link.nothing": "nichts",
-  "class.soon": "Das Klassenzimmer ist noch nicht eingerichtet.",
   "view.story": "Geschichte",
   "view.lab": "Labor",
   "view.class": "Klasse",

@@ -22,7 +22,6 @@ export const words = {
   "link.repeated": "“{name}” is given twice; the first counts.",
   "link.more": "And {count} more.",
   "link.nothing": "nothing",
-  "class.soon": "The classroom is not furnished yet.",
   undo: "Undo",
   redo: "Redo",
   "undo.what": "Undo: {what}",

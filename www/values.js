@@ -1,8 +1,8 @@
 /**
  * What the parameters are at an operating point, whether given or following from others.
  *
- * @typedef {import("../state.js").Given} Given
- * @typedef {import("../figure/services.js").ParameterInfo} ParameterInfo
+ * @typedef {import("./state.js").Given} Given
+ * @typedef {import("./figure/services.js").ParameterInfo} ParameterInfo
  * @typedef {ReadonlyMap<string, ParameterInfo>} Vocabulary
  */
 
