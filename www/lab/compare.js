@@ -177,7 +177,8 @@ export class Compare {
       });
     rows.push(
       [say("lab.row.multiplier"), fact("M", "spectralRadius")],
-      [say("lab.row.size"), fact("U", "maxU_p")],
+      // The orbit that is settled on is known better than the motion on its way to it.
+      [say("lab.row.size"), fact("P", "maxU_p").map((size, index) => (size === "–" ? fact("U", "maxU_p")[index] : size))],
       [say("lab.row.lowest"), fact("U", "lowest")],
       [say("lab.row.highest"), fact("U", "highest")],
       [say("lab.row.contact"), states.map(({ figures }) => {

@@ -121,7 +121,9 @@ export class Cursor {
     }
     const offset = offsetOf(owner, this.#home);
     const left = offset.left + pixelOf(map, omega, map.y.low).left;
-    const inside = omega >= map.x.low && omega <= map.x.high;
+    // Rounding may carry it a hair beyond the end.
+    const hair = (map.x.high - map.x.low) / 1000;
+    const inside = omega >= map.x.low - hair && omega <= map.x.high + hair;
     this.#line.hidden = !inside;
     this.#line.style.transform = `translateX(${left.toFixed(2)}px)`;
     const [low, high] = this.range;

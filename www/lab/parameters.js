@@ -45,8 +45,10 @@ export class Parameters {
   #controls = new Map();
   /** The entry whose drawer is open. @type {string | null} */
   #open = null;
-  /** The parameter of which something is complained. @type {string | null} */
+  /** The parameter of which something is complained, and what. @type {string | null} */
   #blamed = null;
+  /** @type {string | null} */
+  #message = null;
 
   /** @param {RoomServices} services */
   constructor(services) {
@@ -112,6 +114,7 @@ export class Parameters {
   complain(name, message) {
     if (this.#blamed !== null && this.#blamed !== name) this.#controls.get(this.#blamed)?.complain(null);
     this.#blamed = message === null ? null : name;
+    this.#message = message;
     if (name !== null) this.#controls.get(name)?.complain(message);
   }
 
@@ -172,8 +175,11 @@ export class Parameters {
     const value = this.#shown(valueOf(pointOf(store.state), engine.vocabulary, name));
     const control = createControl(info, value, {
       change: (to) => {
-        this.complain(name, null);
+        const before = store.state;
         act("act.parameter", (state) => withPoint(state, setting(name, to)), { merge: `lab ${name}` });
+        // The same value said once more is as wrong as it was.
+        if (store.state === before) this.complain(this.#blamed, this.#message);
+        else this.complain(name, null);
       },
       refuse: () => {},
     });
