@@ -6,6 +6,7 @@ mod check;
 mod command;
 mod failure;
 mod place;
+mod release;
 mod screens;
 mod serve;
 mod supply;
@@ -27,6 +28,8 @@ cargo xtask bench                       measure natively, in Node and in Chromiu
 cargo xtask goldens                     draw the figures anew into tests/goldens/
 cargo xtask accuracy                    every reference number beside ours, into docs/accuracy.md
 cargo xtask dependencies                what is not ours, why and under which terms, into docs/dependencies.md
+cargo xtask release [--out FOLDER]      site, single file, npm package, supplement and checksums of a clean tree (default: release/)
+cargo xtask reproduce                   two builds from nothing, which must be the same to the bit
 cargo xtask screens [--no-build]        pictures of the whole page into docs/screens/, of a new build or of dist/";
 
 fn main() -> ExitCode {
@@ -73,6 +76,14 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
             let test = ["test", "--quiet", "--test", "accuracy"];
             command::run(command::cargo(&test).env("ACCURACY", "renew"))
         }
+        "release" => {
+            let options = command::Options::read(rest, &["--out"], &[])?;
+            let out = options
+                .value("--out")
+                .map_or_else(|| place::root().join("release"), std::path::PathBuf::from);
+            release::release(&out)
+        }
+        "reproduce" => command::Options::read(rest, &[], &[]).and_then(|_| release::reproduce()),
         "dependencies" => command::Options::read(rest, &[], &[]).and_then(|_| supply::renew()),
         "screens" => screens::screens(&command::Options::read(rest, &[], &["--no-build"])?),
         "help" | "--help" | "-h" => {

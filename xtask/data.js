@@ -1,0 +1,28 @@
+// Each figure's data as CSV, for a journal's supplement: `node xtask/data.js MODULE FOLDER`. `cargo xtask release` calls it.
+
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [module, folder] = process.argv.slice(2);
+/** @type {typeof import("../www/engine/gear-bifurcations.js")} */
+const { load } = await import(pathToFileURL(module).href);
+const gear = await load();
+
+/** @param {string} text */
+const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+
+for (const { id } of gear.figures()) {
+  const { title, params, method, error, series } = gear.figure(id);
+  const lines = [`# figure ${id}: ${title}`, `# parameters: ${JSON.stringify(params)}`, `# method: ${method}`, `# error: ${JSON.stringify(error)}`];
+  lines.push("frame,series,stable,x,y,z");
+  for (const { frame, name, stable, columns, pieces } of series) {
+    const starts = new Set(pieces);
+    const { x, y, z } = columns;
+    x.forEach((value, index) => {
+      if (index > 0 && starts.has(index)) lines.push("");
+      lines.push([quoted(frame), quoted(name), stable ?? "", value, y[index], z?.[index] ?? ""].join(","));
+    });
+  }
+  writeFileSync(join(folder, `${id}.csv`), `${lines.join("\n")}\n`);
+}
