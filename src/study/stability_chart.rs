@@ -45,6 +45,8 @@ const ENOUGH: f64 = 20.0;
 const ROUNDING: f64 = 1e-14;
 /// An error this many times that is too great to be it.
 const MANY: f64 = 100.0;
+/// Error of a radius over the accuracy of the factors where nothing amplifies it: somewhat more than was ever seen.
+const LEFT: f64 = 25.0;
 /// Terms this much below the error are left out.
 const NEGLIGIBLE: f64 = 1e-3;
 /// Points computed directly, for comparison.
@@ -301,7 +303,7 @@ impl Surface {
         let mut left = MOST_DIRECT_STEPS;
         let mut radius = vec![0.0; omega.count * k0.count];
         let at_rest = linear.at_rest()?.shifted(self.decay);
-        let mut error = 10.0 * accuracy;
+        let mut error = LEFT * accuracy;
         let mut columns = vec![0.0; self.width * k0.count];
         let degree = self.width + 1;
         for (i, values) in self.values.chunks_exact(self.width * self.terms).enumerate() {
