@@ -2,10 +2,11 @@
 
 mod common;
 
-use common::{numbers, reference};
+use common::{numbers, parameters, reference};
 use gear_bifurcations::model::parameters::Parameters;
 use gear_bifurcations::numerics::parametric::Parametric;
 use gear_bifurcations::numerics::roots::bracketed_root;
+use gear_bifurcations::study::linear_floquet::LinearFloquet;
 use gear_bifurcations::study::multipliers::multipliers;
 use gear_bifurcations::study::tongue::{EdgeKind, Tongue, tongue_edges};
 use gear_bifurcations::study::tongue_boundary::tongue_boundary;
@@ -55,6 +56,29 @@ fn edges_agree_to_1e_9_and_closed_tongues_are_closed() {
         }
     }
     assert!(worst < 1e-9, "{worst:e}");
+}
+
+#[test]
+fn named_tongues_are_found_where_damping_hides_their_middle() {
+    // Mesh and supports damped so differently, or supports so unequal, that the function whose zeros the edges are has no
+    // minimum to follow from k0 = 0, or one that leads astray.
+    for case in reference("tongue_edges_unequal_damping")["cases"].as_array().expect("cases") {
+        let p = parameters(&case["params"]);
+        let tongue = match case["tongue"].as_str().expect("a word") {
+            "primary2" => Tongue::Primary2,
+            "primary3" => Tongue::Primary3,
+            _ => Tongue::Combination,
+        };
+        let found = tongue_edges(&p, tongue, 1e-10).unwrap_or_else(|error| panic!("{case}: {error}"));
+        for (side, own) in [("left", found.left), ("right", found.right)] {
+            let expected = case[side].as_f64().expect("a number");
+            let own = own.unwrap_or_else(|| panic!("closed: {case}"));
+            assert!((own - expected).abs() < 1e-9, "{case}: {found:?}");
+        }
+        for (own, kind) in found.kind.expect("open").iter().zip(case["kind"].as_array().expect("two")) {
+            assert_eq!(own.name(), reference_kind(kind.as_str().expect("a word")), "{case}");
+        }
+    }
 }
 
 #[test]
@@ -297,5 +321,20 @@ fn boundaries_that_the_arc_cannot_follow_come_from_their_edges() {
                 assert!(from_circle(&p, *omega, *k0) < 1e-8, "{tongue:?} {omega} {k0}");
             }
         }
+    }
+}
+
+#[test]
+fn supports_that_damping_alone_tells_apart_have_the_frequencies_of_equal_ones() {
+    let equal = Parameters { m_p: 1.3, m_g: 1.3, k_p: 2.0, k_g: 2.0, ..damped(0.5, 0.02) };
+    let unequal = Parameters { zeta_p: 0.05, ..equal };
+    let (two, three) = (LinearFloquet::new(&equal), LinearFloquet::new(&unequal));
+    assert_eq!((two.modes(), three.modes()), (2, 3));
+    let (outer, all) = (two.frequencies(), three.frequencies());
+    for (own, expected) in all.iter().zip([outer[0], (2.0_f64 / 1.3).sqrt(), outer[1]]) {
+        assert!((own - expected).abs() < 1e-12, "{all:?} {outer:?}");
+    }
+    for (left, right) in [(outer[0], all[0]), (outer[1], all[2])] {
+        assert!((two.participation(left) - three.participation(right)).abs() < 1e-10);
     }
 }

@@ -38,7 +38,8 @@ impl EdgeFunction {
         Ok(self.of(&linear.characteristic(omega, k0)?))
     }
 
-    fn of(self, polynomial: &Characteristic) -> f64 {
+    /// Its value for a characteristic polynomial.
+    pub fn of(self, polynomial: &Characteristic) -> f64 {
         match self.kind {
             EdgeKind::PeriodDoubling => polynomial.value(-1.0),
             EdgeKind::PlusOne => polynomial.value(1.0),

@@ -29,6 +29,9 @@ enum Coupled {
 /// parameters need.
 pub const BUDGET: f64 = 1e6;
 
+/// Squares of frequencies that differ by less, relative to them, are equal.
+const EQUAL: f64 = 1e-13;
+
 /// The linear problem with its idle mode apart, and what is left of its [`BUDGET`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinearFloquet {
@@ -155,6 +158,20 @@ impl LinearFloquet {
         };
         let mut poles: Vec<[f64; 2]> = stiffness.iter().zip(coupling).map(|(s, b)| [*s, b * b]).collect();
         order::by_number(&mut poles, |pole| pole[0]);
+        // Of equal poles all but one are natural frequencies themselves: one combination moves without the others. The
+        // polynomial vanishes there, and would be taken for zero at the ends of both intervals beside them.
+        let mut found = Vec::with_capacity(poles.len());
+        let mut distinct: Vec<[f64; 2]> = Vec::with_capacity(poles.len());
+        for [s, square] in poles {
+            match distinct.last_mut().filter(|last| s - last[0] <= EQUAL * s) {
+                Some(last) => {
+                    last[1] += square;
+                    found.push(s.sqrt());
+                }
+                None => distinct.push([s, square]),
+            }
+        }
+        let poles = distinct;
         let above: f64 = poles.iter().map(|pole| pole[1]).sum();
         // Times all s_i - sigma, so that it is a polynomial.
         let secular = |sigma: f64| {
@@ -165,15 +182,27 @@ impl LinearFloquet {
             }
             whole
         };
-        (0..poles.len())
-            .map(|i| {
-                let low = poles[i][0];
-                let high = poles.get(i + 1).map_or(low + above, |pole| pole[0]);
-                // The last one is at most `above` beyond the greatest pole; rounding may hide the change of sign there.
-                let high = if i + 1 == poles.len() { high * (1.0 + 1e-12) } else { high };
-                bracketed_root(secular, low, high, 0.0).unwrap_or(0.5 * (low + high)).sqrt()
-            })
-            .collect()
+        found.extend((0..poles.len()).map(|i| {
+            let low = poles[i][0];
+            let high = poles.get(i + 1).map_or(low + above, |pole| pole[0]);
+            // The last one is at most `above` beyond the greatest pole; rounding may hide the change of sign there.
+            let high = if i + 1 == poles.len() { high * (1.0 + 1e-12) } else { high };
+            bracketed_root(secular, low, high, 0.0).unwrap_or(0.5 * (low + high)).sqrt()
+        }));
+        order::by_number(&mut found, |frequency| *frequency);
+        found
+    }
+
+    /// The square of the part that the mode of a natural frequency has in the compression of the teeth, at unit modal
+    /// mass: of (K - sigma) x = 0 with the rank-one K the vector is x_i = b_i/(s_i - sigma), for which b.x = -1.
+    pub fn participation(&self, frequency: f64) -> f64 {
+        let (stiffness, coupling): (&[f64], &[f64]) = match &self.coupled {
+            Coupled::Two(system) => (&system.stiffness, &system.coupling),
+            Coupled::Three(system) => (&system.stiffness, &system.coupling),
+        };
+        let sigma = frequency * frequency;
+        let mass: f64 = stiffness.iter().zip(coupling).map(|(s, b)| (b / (s - sigma)).powi(2)).sum();
+        1.0 / mass
     }
 
     /// Quadratic factors of the characteristic polynomial of the system's exponents at `k0 = 0`: of

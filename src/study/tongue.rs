@@ -141,8 +141,31 @@ pub(super) fn edges(
     if let Tongue::Near(omega) = tongue {
         return near::edges(linear, omega, k0, tolerance);
     }
-    let Some((centre, function)) = follow_centre(linear, tongue, k0)? else { return Ok(None) };
+    let (origin, function) = origin(linear, tongue);
+    let centre = match follow_centre(linear, tongue, k0)? {
+        Followed { centre, lost: false } => centre,
+        Followed { centre, lost: true } => {
+            let width = tongue_width(linear, tongue);
+            // Where even that finds none because others overlap it, what following came to is the best there is.
+            opening::inside(linear, function, origin, width, k0)?.or(centre)
+        }
+    };
+    let Some(centre) = centre else { return Ok(None) };
     between_zeros(linear, function, centre, k0, tolerance)
+}
+
+/// Half-width of a named tongue over k0, for small k0 and without damping, \[T3\] and \[T4\] for any supports.
+fn tongue_width(linear: &LinearFloquet, tongue: Tongue) -> f64 {
+    let frequencies = linear.frequencies();
+    let last = frequencies.len() - 1;
+    let [first, second] = match tongue {
+        Tongue::Primary2 => [0, 0],
+        Tongue::Primary3 => [last, last],
+        Tongue::Combination | Tongue::Near(_) => [0, last],
+    };
+    let share = |mode: usize| linear.participation(frequencies[mode]);
+    let product = frequencies[first] * frequencies[second];
+    0.5 * (share(first) * share(second) / product).sqrt()
 }
 
 /// Mesh frequency at which a named tongue starts at `k0 = 0`, and its function.
@@ -159,39 +182,41 @@ pub(super) fn origin(linear: &LinearFloquet, tongue: Tongue) -> (f64, EdgeFuncti
 /// Greatest advance of k0 when the middle of a tongue is followed.
 const K0_STEP: f64 = 0.1;
 
-/// The deepest point of a named tongue at this depth, if it is open there, and its function.
-fn follow_centre(
-    linear: &LinearFloquet,
-    tongue: Tongue,
-    k0: f64,
-) -> Result<Option<(f64, EdgeFunction)>, NumericsError> {
+/// How far from where it is expected the middle may be found at the next depth, relative to it.
+const STRAYS: f64 = 0.015;
+
+/// What following the middle of a named tongue came to.
+struct Followed {
+    /// The middle, if the tongue is open there.
+    centre: Option<f64>,
+    /// There was no middle to be followed all the way.
+    lost: bool,
+}
+
+/// Follows the deepest point of a named tongue to this depth.
+fn follow_centre(linear: &LinearFloquet, tongue: Tongue, k0: f64) -> Result<Followed, NumericsError> {
     let (mut centre, function) = origin(linear, tongue);
     if k0 == 0.0 {
-        return Ok(None);
+        return Ok(Followed { centre: None, lost: false });
     }
+    let mut lost = false;
     let origin_at = centre;
     let count = (k0 / K0_STEP).ceil();
-    let mut before: Option<(f64, f64)> = None;
-    let mut deepest = Deepest { omega: centre, value: f64::INFINITY };
+    let mut before = centre;
+    let mut deepest = Deepest { omega: centre, value: f64::INFINITY, settled: false };
     for index in 0..=count as usize {
         let depth = k0 * index as f64 / count;
-        // The middle moves with k0^2.
-        let guess =
-            before.map_or(
-                centre,
-                |(square, omega)| {
-                    if square == depth * depth { centre } else { 2.0 * centre - omega }
-                },
-            );
         let last = index as f64 == count;
         let widths: &[f64] = if last { &[0.01, 1e-3, 1e-4] } else { &[0.01] };
-        let guess = if index < 3 { centre } else { guess };
+        let guess = if index < 3 { centre } else { 2.0 * centre - before };
         deepest = minimise(linear, function, guess, depth, widths)?;
-        before = Some((depth * depth, centre));
+        lost |= !deepest.settled || (deepest.omega - guess).abs() > STRAYS * guess;
+        before = centre;
         centre = deepest.omega;
     }
-    let open = deepest.value < 0.0 && is_this_instability(linear, function, origin_at, centre, k0)?;
-    Ok(open.then_some((centre, function)))
+    let open = deepest.value < 0.0;
+    let here = open && is_this_instability(linear, function, origin_at, centre, k0)?;
+    Ok(Followed { centre: here.then_some(centre), lost: lost || open != here })
 }
 
 /// How far the middle of a tongue may move from where it starts, relative to that.
@@ -219,6 +244,8 @@ fn is_this_instability(
 struct Deepest {
     omega: f64,
     value: f64,
+    /// It is a minimum, within reach of the last step.
+    settled: bool,
 }
 
 /// A local minimum along Omega by parabolas through three points, whose distance shrinks.
@@ -229,7 +256,7 @@ fn minimise(
     k0: f64,
     widths: &[f64],
 ) -> Result<Deepest, NumericsError> {
-    let mut best = Deepest { omega: start, value: function.value(linear, start, k0)? };
+    let mut best = Deepest { omega: start, value: function.value(linear, start, k0)?, settled: false };
     for width in widths {
         let h = width * start;
         for _ in 0..8 {
@@ -241,8 +268,10 @@ fn minimise(
                 if curvature > 0.0 { (-slope / curvature).clamp(-2.0, 2.0) } else { -2.0 * slope.signum() };
             let omega = best.omega + shift * h;
             let value = function.value(linear, omega, k0)?;
+            let settled = curvature > 0.0 && shift.abs() < 1.0;
+            best.settled = settled;
             if value < best.value {
-                best = Deepest { omega, value };
+                best = Deepest { omega, value, settled };
             }
             if shift.abs() < 1.0 || value > best.value {
                 break;
@@ -304,6 +333,179 @@ pub(super) fn zero(
     failed.map_or(root, Err)
 }
 
+mod opening {
+    //! Where a named tongue has opened by this depth, looked for at one depth after another.
+
+    use super::{EdgeFunction, EdgeKind, Factors, LinearFloquet, NumericsError, PI, linear_floquet};
+    use crate::order;
+
+    /// Depths at which the tongue is looked for.
+    const LEVELS: usize = 10;
+    /// Least and greatest number of frequencies at one depth.
+    const SAMPLES: (f64, f64) = (48.0, 320.0);
+    /// Distance of frequencies over the tongue's half-width.
+    const SPACING: f64 = 0.15;
+
+    /// What two moduli may differ by without damping, where all are 1.
+    const NOISE: f64 = 1e-9;
+
+    /// Greatest modulus of a multiplier of the kind that the function is about; 0 where there is none.
+    fn growth(factors: &Factors, kind: EdgeKind) -> f64 {
+        (0..factors.count).fold(0.0_f64, |most, i| {
+            let (half, q) = (-0.5 * factors.p[i], factors.q[i]);
+            let square = half * half - q;
+            let pair = matches!(kind, EdgeKind::NeimarkSacker | EdgeKind::Krein);
+            if square < 0.0 || pair {
+                return if square < 0.0 && pair { most.max(q.sqrt()) } else { most };
+            }
+            let large = half + square.sqrt().copysign(half);
+            let small = if large == 0.0 { 0.0 } else { q / large };
+            let sign = if kind == EdgeKind::PeriodDoubling { -1.0 } else { 1.0 };
+            most.max(sign * large).max(sign * small)
+        })
+    }
+
+    /// Frequencies next to each other at which there is growth.
+    #[derive(Clone, Copy)]
+    struct Run {
+        low: f64,
+        high: f64,
+        /// Where it grows most.
+        top: f64,
+        growth: f64,
+    }
+
+    struct Search<'a> {
+        linear: &'a LinearFloquet,
+        function: EdgeFunction,
+        /// What must be exceeded to count as growth.
+        threshold: f64,
+    }
+
+    impl Search<'_> {
+        fn growth(&self, omega: f64, k0: f64) -> Result<f64, NumericsError> {
+            let of = self.linear.characteristic(omega, k0)?;
+            Ok(growth(&linear_floquet::factors(&of)?, self.function.kind))
+        }
+
+        /// The run nearest to `middle` within a window.
+        fn nearest(
+            &self,
+            [low, high]: [f64; 2],
+            middle: f64,
+            k0: f64,
+            spacing: f64,
+        ) -> Result<Option<Run>, NumericsError> {
+            let count = ((high - low) / spacing).clamp(SAMPLES.0, SAMPLES.1).ceil();
+            let step = (high - low) / count;
+            let mut values = Vec::with_capacity(count as usize + 1);
+            for index in 0..=count as usize {
+                let omega = low + step * index as f64;
+                values.push((omega, if omega > 0.0 { self.growth(omega, k0)? } else { 0.0 }));
+            }
+            // A tongue that has just opened may be narrower than the spacing: the greatest values between are looked for.
+            let mut peaks = Vec::new();
+            for three in values.windows(3) {
+                let [left, here, right] = [three[0].1, three[1].1, three[2].1];
+                if here <= self.threshold && here > left.max(right) + NOISE {
+                    let peak = self.peak(three[1], step, k0)?;
+                    if peak.1 > self.threshold {
+                        peaks.push(peak);
+                    }
+                }
+            }
+            values.extend(peaks);
+            order::by_number(&mut values, |value| value.0);
+            let mut runs: Vec<Run> = Vec::new();
+            let mut continues = false;
+            for (omega, growth) in values {
+                if growth <= self.threshold {
+                    continues = false;
+                    continue;
+                }
+                match runs.last_mut().filter(|_| continues) {
+                    Some(run) => {
+                        run.high = omega;
+                        if growth > run.growth {
+                            (run.top, run.growth) = (omega, growth);
+                        }
+                    }
+                    None => runs.push(Run { low: omega, high: omega, top: omega, growth }),
+                }
+                continues = true;
+            }
+            let distance = |run: &Run| (run.low - middle).max(middle - run.high).max(0.0);
+            Ok(runs.into_iter().min_by(|left, right| distance(left).total_cmp(&distance(right))))
+        }
+
+        /// The greatest growth next to a sample that exceeds its neighbours, by golden section.
+        fn peak(&self, around: (f64, f64), step: f64, k0: f64) -> Result<(f64, f64), NumericsError> {
+            const GOLDEN: f64 = 0.618_033_988_749_895;
+            let (mut low, mut high) = (around.0 - step, around.0 + step);
+            let mut best = around;
+            for _ in 0..24 {
+                let length = high - low;
+                let (left, right) = (high - GOLDEN * length, low + GOLDEN * length);
+                let (at_left, at_right) = (self.growth(left, k0)?, self.growth(right, k0)?);
+                for here in [(left, at_left), (right, at_right)] {
+                    if here.1 > best.1 {
+                        best = here;
+                    }
+                }
+                if best.1 > self.threshold {
+                    break;
+                }
+                if at_left > at_right { high = right } else { low = left }
+            }
+            Ok(best)
+        }
+    }
+
+    /// A frequency within the tongue that opened nearest to its `origin`; none where it is closed at this depth.
+    ///
+    /// `width` is its half-width over k0 to first order. The tongue is recognised where it opens, and from there upwards
+    /// as what continues it.
+    pub(super) fn inside(
+        linear: &LinearFloquet,
+        function: EdgeFunction,
+        origin: f64,
+        width: f64,
+        k0: f64,
+    ) -> Result<Option<f64>, NumericsError> {
+        // Two multipliers that damping has parted little know each other's rounding over their distance.
+        let decay = linear.damping_trace() * 2.0 * PI / origin;
+        let slack = if linear.undamped() { 3e-6 } else { (3e-13 / decay).clamp(1e-11, 3e-6) };
+        let threshold = 1.0 + slack;
+        let search = Search { linear, function, threshold };
+        let mut before: Option<Run> = None;
+        for level in 1..=LEVELS {
+            let depth = k0 * level as f64 / LEVELS as f64;
+            let spacing = SPACING * width * depth;
+            let run = match before {
+                None => {
+                    let reach = 2.5 * width * depth + origin * depth * (0.02 + 0.15 * depth);
+                    search.nearest([origin - reach, origin + reach], origin, depth, spacing)?
+                }
+                Some(run) => {
+                    let reach = (run.high - run.low).max(1e-3 * origin);
+                    let middle = 0.5 * (run.low + run.high);
+                    search.nearest([run.low - reach, run.high + reach], middle, depth, spacing)?
+                }
+            };
+            before = run;
+        }
+        let Some(run) = before else { return Ok(None) };
+        // The function is below zero in the tongue except where another one overlaps it.
+        for share in [None, Some(0.5), Some(0.25), Some(0.75), Some(0.1), Some(0.9)] {
+            let omega = share.map_or(run.top, |share| run.low + share * (run.high - run.low));
+            if function.value(linear, omega, k0)? < 0.0 {
+                return Ok(Some(omega));
+            }
+        }
+        Ok(None)
+    }
+}
+
 mod near {
     //! The interval of instability about or next to a given frequency.
 
@@ -363,24 +565,23 @@ mod near {
         }
         let step = stride(linear, omega);
         let count = ((NEAR * omega / step).ceil() as usize).min(MOST);
-        // Values of both real functions two and one steps before, on each side.
-        let real = [EdgeKind::PeriodDoubling, EdgeKind::PlusOne].map(|kind| EdgeFunction { kind });
-        let mut start = [0.0; 2];
-        for (value, function) in start.iter_mut().zip(&real) {
-            *value = function.value(linear, omega, k0)?;
-        }
-        let mut before = [[start; 2]; 2];
+        let kinds = [EdgeKind::PeriodDoubling, EdgeKind::PlusOne, EdgeFunction::pair(linear).kind];
+        let functions = kinds.map(|kind| EdgeFunction { kind });
+        let start = linear.characteristic(omega, k0)?;
+        // Values of the functions two and one steps before, on each side.
+        let mut before = [[functions.map(|function| function.of(&start)); 2]; 2];
         for index in 1..=count {
             for (side, direction) in [-1.0, 1.0].into_iter().enumerate() {
                 let at = omega + direction * step * index as f64;
                 if at <= 0.0 {
                     continue;
                 }
-                if growth(linear, at, k0)? > 0.0 {
+                let here = linear.characteristic(at, k0)?;
+                if linear_floquet::factors(&here)?.radius() - 1.0 > slack(linear) {
                     return Ok(Some(at));
                 }
-                for which in 0..2 {
-                    let value = real[which].value(linear, at, k0)?;
+                for (which, function) in functions.iter().enumerate() {
+                    let value = function.of(&here);
                     let [far, near] = [before[side][0][which], before[side][1][which]];
                     before[side][0][which] = near;
                     before[side][1][which] = value;

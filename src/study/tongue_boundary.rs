@@ -177,7 +177,7 @@ fn by_levels(
         (open, lowest, reaches) = (low, edges, true);
     }
     for _ in 0..HALVINGS {
-        if reaches || open - closed <= 1e-9 {
+        if reaches || open - closed <= 1e-10 {
             break;
         }
         let middle = 0.5 * (open + closed);
@@ -186,18 +186,30 @@ fn by_levels(
             None => closed = middle,
         }
     }
-    let each = points / 2;
-    let mut levels = Vec::with_capacity(each);
-    let mut before = top;
-    for index in 0..each {
-        let part = 1.0 - index as f64 / each as f64;
-        let depth = (open * open + (high * high - open * open) * part * part).sqrt();
-        if let Some(edges) = at_depth(within(&before), depth)? {
-            before = edges;
-            levels.push((depth, edges));
+    // The tip is one of the points.
+    let beside = points - usize::from(!reaches);
+    let counts = [beside.div_ceil(2), beside / 2];
+    let mut legs: Vec<Vec<(f64, [Edge; 2])>> = Vec::with_capacity(2);
+    for count in counts {
+        if legs.first().is_some_and(|leg| leg.len() == count) {
+            legs.push(legs[0].clone());
+            continue;
         }
+        // Down to the least depth itself where the tongue is open there.
+        let intervals = if reaches { count - 1 } else { count };
+        let mut levels = Vec::with_capacity(count);
+        let mut before = top;
+        for index in 0..count {
+            let part = 1.0 - index as f64 / intervals.max(1) as f64;
+            let depth = (open * open + (high * high - open * open) * part * part).sqrt();
+            if let Some(edges) = at_depth(within(&before), depth)? {
+                before = edges;
+                levels.push((depth, edges));
+            }
+        }
+        legs.push(levels);
     }
-    for (depth, edges) in &levels {
+    for (depth, edges) in &legs[0] {
         push(boundary, edges[0].omega, *depth, edges[0].function.kind);
     }
     if !reaches {
@@ -206,7 +218,7 @@ fn by_levels(
         boundary.tip = Some([omega, open]);
     }
     boundary.left = boundary.omega.len();
-    for (depth, edges) in levels.iter().rev() {
+    for (depth, edges) in legs[1].iter().rev() {
         push(boundary, edges[1].omega, *depth, edges[1].function.kind);
     }
     Ok(())
