@@ -371,6 +371,7 @@ static SPECIFICATIONS: [Specification; 31] = [
         preset: preset!["zeta" = 0.07, "F" = 1.5, "Omega" = 1.6; regime = "backlash"],
         starts: true,
         aspect: 2.0,
+        heavy: true,
         ..BLANK
     },
     Specification {

@@ -153,8 +153,11 @@ export class Engine {
   glance(id, given) {
     if (this.#slow.has(id) || this.figures.get(id)?.heavy !== false) return null;
     const begin = performance.now();
-    const steps = this.#gear.progress(id, given);
+    /** @type {import("../../gear-bifurcations.js").FigureProgress | null} */
+    let steps = null;
     try {
+      // What cannot be is said by the worker, as for every figure.
+      steps = this.#gear.progress(id, given);
       const { value } = steps.next();
       const whole = value?.done === true;
       // A busy machine makes one call slow, but not one after the other.
@@ -165,7 +168,7 @@ export class Engine {
     } catch {
       return null;
     } finally {
-      steps.return?.();
+      steps?.return?.();
     }
   }
 
