@@ -6,7 +6,7 @@
 use super::document::{Tag, escaped, rewrite};
 use super::modules::{Modules, resolve};
 use super::site::Site;
-use super::{base64, link, weight};
+use super::{base64, link, script, weight};
 use crate::Failure;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -24,6 +24,7 @@ const DELIVERY_INLINE: &str = "www/engine/delivery-inline.js";
 const RUNNING: &str = "www/engine/running.js";
 const MAIN: &str = "www/main.js";
 const FIGURE: &str = "www/embed/figure-file.js";
+const HOLD_BACK: &str = "www/embed/hold-back.js";
 const WORKER: &str = "www/engine/worker.js";
 
 /// The parts that all these files have, by the id of their element.
@@ -36,6 +37,8 @@ pub struct Single<'a> {
     parts: [String; PARTS.len()],
     /// A figure's file, without the parts.
     shell: String,
+    /// The script that keeps still drawings from being read before they are needed.
+    hold_back: String,
     /// The modules that only the whole page has.
     page: String,
     index: &'a str,
@@ -48,6 +51,8 @@ impl<'a> Single<'a> {
         let inline = modules.get(DELIVERY_INLINE).cloned();
         let inline = inline.ok_or_else(|| Failure::invalid(DELIVERY_INLINE, "there is no such module"))?;
         modules.insert(DELIVERY.to_owned(), inline);
+        let hold_back = modules.get(HOLD_BACK).map(|text| script::bare(text));
+        let hold_back = hold_back.ok_or_else(|| Failure::invalid(HOLD_BACK, "there is no such script"))?;
         let [module, code, page] = three(link::scripts(&modules, &[&[MODULE], &[FIGURE], &[MAIN]])?)?;
         let [_, worker, _] = three(link::scripts(&modules, &[&[MODULE], &[WORKER], &[WORKER]])?)?;
         let worker = worker + &link::start(WORKER);
@@ -55,7 +60,7 @@ impl<'a> Single<'a> {
         let shell = shell(site, figure, &|_| Ok(None), &Scripts { early: "", late: &started(FIGURE) })?;
         let packed = base64::encoded(shell.as_bytes());
         let style = style(site, index)?;
-        Ok(Self { site, parts: [style, wasm, module, worker, code, packed], shell, page, index })
+        Ok(Self { site, parts: [style, wasm, module, worker, code, packed], shell, hold_back, page, index })
     }
 
     /// The whole page. Where it would be too large, the heaviest of the drawings that stand in for figures without scripts
@@ -71,7 +76,8 @@ impl<'a> Single<'a> {
                 self.site.text(address).map(|drawing| Some(picture_address(drawing)))
             };
             let late = format!("<script id=\"gear-page\">\n{}</script>\n{}", self.page, started(MAIN));
-            let scripts = Scripts { early: &started(RUNNING), late: &late };
+            let early = format!("<script>\n{}</script>\n{}", self.hold_back, started(RUNNING));
+            let scripts = Scripts { early: &early, late: &late };
             let page = self.filled(&shell(self.site, self.index, &picture, &scripts)?);
             if page.len() <= CEILING {
                 return Ok((page, left_out.len()));
