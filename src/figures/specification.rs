@@ -24,6 +24,10 @@ impl Preset {
 
 /// One figure: its words, its preset, and what a page must know before it is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is told to the page by itself, none excludes another"
+)]
 pub struct Specification {
     /// The figure's number, e.g. `11a`.
     pub id: &'static str,

@@ -25,12 +25,12 @@ impl Record {
     /// Any value.
     #[must_use]
     pub fn value(self, name: &str, value: impl Into<JsValue>) -> Self {
-        self.put(name, value.into())
+        self.put(name, &value.into())
     }
 
     #[inline(never)]
-    fn put(self, name: &str, value: JsValue) -> Self {
-        values::set(&self.object, name, &value);
+    fn put(self, name: &str, value: &JsValue) -> Self {
+        values::set(&self.object, name, value);
         self
     }
 

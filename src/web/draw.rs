@@ -94,7 +94,7 @@ pub fn draw(
     let surface = CanvasSurface::new(canvas.clone(), density).map_err(WebError::from)?;
     let mut surface = AnySurface::Canvas(surface);
     let maps = chart::draw(&mut surface, &picture, &theme, &shown.view).map_err(WebError::from)?;
-    Ok(Record::new().list("frames", maps.iter().map(frame_map)).list("looks", looks.into_iter()).finish()?)
+    Ok(Record::new().list("frames", maps.iter().map(frame_map)).list("looks", looks).finish()?)
 }
 
 /// Gives the canvas as many pixels as its place on the page needs at this density; a canvas without a place keeps its
