@@ -156,8 +156,10 @@ async fn settle<'a>(
             }
             failed += usize::from(!whole);
         }
-        // Where it parts the teeth the circle is not smooth, and Fourier nodes may not do: the motion itself is left.
+        // Where it parts the teeth the circle is not smooth, and Fourier nodes may not do: the motion itself is left. In
+        // a smooth system nodes that do not converge say that there is no circle.
         if failed > 0
+            && p.regime == Regime::Backlash
             && let Some(known) = by_averages(p, &mut strobe, &mut states, tolerance, budget).await?
         {
             return Ok(Ok(known));
@@ -199,6 +201,7 @@ async fn by_averages<'a>(
         let on_manifold = on_manifold(p, latest);
         let common = common_period(p)?;
         for periods in (1..=MOST_CIRCLES).map(|circles| circles * common) {
+            budget.rest().await;
             let every: Vec<[f64; 6]> = latest.iter().step_by(periods).copied().collect();
             if every.len() < FITTED / 8 {
                 break;
