@@ -15,6 +15,9 @@ use super::three_d::{Projection, draw_box};
 use super::view::View;
 use crate::error::ChartError;
 
+/// Thinner lines are not printed everywhere, CSS pixels: 0.4 points.
+const THINNEST: f64 = 0.55;
+
 /// How the pixels of a frame and its data belong together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameMap {
@@ -154,7 +157,7 @@ fn draw_labels<S: Surface>(
     let placed = place(&requests, crowd, within);
     for found in &placed {
         if let Some((from, to)) = found.leader {
-            painter.line(from, to, found.color, 0.7 * theme.lines)?;
+            painter.line(from, to, found.color, (0.7 * theme.lines).max(THINNEST))?;
         }
     }
     for found in &placed {

@@ -15,17 +15,17 @@ test("a lesson asks before it shows, says what is right, and goes on", async ({ 
   await expect(page.getByRole("heading", { name: "A pair at rest" })).toBeVisible();
   await expect(page.getByRole("button", { name: "Next step" })).toBeDisabled();
   await expect(page.locator("#class-U")).toHaveCount(0);
-  await page.getByRole("button", { name: "Answer" }).click();
+  await page.getByRole("button", { name: "Answer", exact: true }).click();
   await expect(page.getByRole("alert")).toHaveText("Choose one of them first.");
   await page.getByRole("radio", { name: "The vibration grows." }).check();
-  await page.getByRole("button", { name: "Answer" }).click();
+  await page.getByRole("button", { name: "Answer", exact: true }).click();
   await expect(page.locator(".verdict")).toContainText("Not so. It is: The vibration dies away.");
   await expect(page.locator(".reveal")).toContainText(/at most by the factor 0\.\d+/);
   await expect(page.locator("#class-U")).toBeVisible();
   await page.getByRole("button", { name: "Next step" }).click();
   await expect(page.getByRole("heading", { name: "Another speed" })).toBeFocused();
   await page.getByRole("radio", { name: "The vibration grows." }).check();
-  await page.getByRole("button", { name: "Answer" }).click();
+  await page.getByRole("button", { name: "Answer", exact: true }).click();
   await expect(page.locator(".verdict")).toContainText("Right.");
   // Undone, the first step is there again with its answer.
   await page.keyboard.press("Control+z");
@@ -70,7 +70,7 @@ test("a link locks what it names", async ({ page }) => {
 test("answers are saved as one file, and taken from it", async ({ page }) => {
   await enter(page, "#class&v=1&lesson=pitchfork&step=1");
   await page.getByRole("radio", { name: "One, which jumps between the points." }).check();
-  await page.getByRole("button", { name: "Answer" }).click();
+  await page.getByRole("button", { name: "Answer", exact: true }).click();
   await expect(page.locator(".verdict")).toContainText("Right.");
   const waiting = page.waitForEvent("download");
   await page.getByRole("button", { name: "Save answers" }).click();
@@ -96,7 +96,7 @@ test("a teacher's own lesson is opened; one that is wrong is told by place", asy
   await expect(page.getByText("The lesson “Two speeds” is in the list now.")).toBeVisible();
   await page.getByRole("button", { name: "Two speeds" }).click();
   await page.getByRole("radio", { name: "No" }).check();
-  await page.getByRole("button", { name: "Answer" }).click();
+  await page.getByRole("button", { name: "Answer", exact: true }).click();
   await expect(page.locator(".verdict")).toContainText("Right.");
   await expect(page.locator(".reveal")).toContainText("The largest multiplier has the size 1.24.");
 });

@@ -7,7 +7,7 @@
  */
 
 import { button, element, named, spoken } from "../controls/dom.js";
-import { withLesson } from "../state.js";
+import { INITIAL, withLesson, withStep } from "../state.js";
 import { words } from "../words/en/classroom.js";
 import { learn, onLanguage, say } from "../words/say.js";
 import { Answers } from "./answers.js";
@@ -83,11 +83,27 @@ class Classroom {
       return;
     }
     this.#message.textContent = "";
+    this.#arrive(lesson);
     const player = new Player(this.#services, lesson, this.#answers, () => this.#leave());
     this.#playing = { id: lesson.id, player };
     const heading = element("h1", "", ...setOf(lesson.title).childNodes);
     const leave = button("class.leave", () => this.#leave());
     this.#home.replaceChildren(element("div", "top", heading, element("div", "buttons", leave, this.#screen(), this.#save())), this.#message, player.element);
+  }
+
+  /**
+   * Whoever comes by a link is where the lesson's step begins, but for what the link itself gives.
+   *
+   * @param {Lesson} lesson
+   */
+  #arrive(lesson) {
+    const { store } = this.#services;
+    const { entries, at } = store.history;
+    const { state } = store;
+    if ((at > 0 && entries[at].name !== "act.link") || state.preset !== INITIAL.preset) return;
+    const wanted = Math.min(state.lesson?.step ?? 0, lesson.steps.length - 1);
+    const there = lesson.steps.slice(0, wanted + 1).reduce((before, { preset, point }, step) => withStep(before, step, preset, point), state);
+    store.update({ preset: there.preset, point: { ...there.point, ...state.point } });
   }
 
   #showList() {
