@@ -192,7 +192,8 @@ const LAST_CORRECTION: f64 = 1e-8;
 ///
 /// # Errors
 /// [`StudyError::Option`] for an option out of range, [`StudyError::Model`] for an incommensurate load,
-/// [`StudyError::Numerics`] where no orbit is found to start from.
+/// [`StudyError::Numerics`] where no orbit is found to start from or none next to it, [`StudyError::NotFound`] where the
+/// orbit found is none that can be followed.
 pub fn branch(p: &Parameters, options: &BranchOptions) -> Result<Branch, StudyError> {
     let (parameter, allowed) = parameter_named(options.parameter)?;
     check(options, allowed)?;
@@ -200,8 +201,34 @@ pub fn branch(p: &Parameters, options: &BranchOptions) -> Result<Branch, StudyEr
     let bounds = bounds(p, options);
     let (path, start) = first(p, &mut family, options, &bounds)?;
     let traces = both_ways(&mut family, path, &start, bounds);
+    left_its_start(&traces)?;
     let followed = assemble(&mut family, parameter, traces, None);
     Ok(followed.branch)
+}
+
+/// Refuses what leads nowhere: a single orbit is no branch.
+///
+/// # Errors
+/// Why it could be followed neither way.
+fn left_its_start(traces: &[Trace; 2]) -> Result<(), StudyError> {
+    if traces.iter().any(|trace| trace.points.len() > 1) {
+        return Ok(());
+    }
+    for trace in traces {
+        match &trace.end {
+            Some(End::Steep(entry)) => {
+                return Err(StudyError::NotFound {
+                    sought: "orbit that can be followed",
+                    found: format!(
+                        "motions near the one found are {entry:.0e} times as far from it a period later"
+                    ),
+                });
+            }
+            Some(End::Lost(reason)) => return Err(reason.clone().into()),
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 pub(crate) fn check(options: &BranchOptions, [least, most]: [f64; 2]) -> Result<(), StudyError> {

@@ -67,6 +67,11 @@ export const errors = [
     "one with a multiplier of 1, as of teeth that never touch, where u drifts freely",
     "eine mit einem Multiplikator von 1, wie von Zähnen, die sich nie berühren, wo u frei treibt",
   ],
+  ["orbit that can be followed", "Bahn, der sich folgen lässt"],
+  [
+    "motions near the one found are {1} times as far from it a period later",
+    "Bewegungen nahe der gefundenen sind eine Periode später {1}-mal so weit von ihr entfernt",
+  ],
   ["orbit of this period", "Bahn dieser Periode"],
   ["the search came to one of period {1} and not {2}", "die Suche kam zu einer der Periode {1} und nicht {2}"],
 ];
