@@ -565,3 +565,21 @@ fn a_load_at_half_the_mesh_frequency_has_a_response_of_twice_the_period() {
         check_promises(&found, [0.95 * omega, 1.05 * omega]);
     }
 }
+
+#[test]
+fn an_orbit_too_unstable_to_be_followed_is_refused_with_its_growth() {
+    // The orbits of twice the period that are born nearest to the given frequency, on responses found through folds of
+    // their load.
+    let p = parameters(&json!({
+        "m_p": 2.415803541672443, "m_g": 2.3840029186661966, "k_p": 5.187072491772156, "k_g": 1.3407594476041909,
+        "alpha_p": -0.349490611900116, "alpha_g": -0.9391039620258297, "zeta": 0.06284820136202654,
+        "k0": 0.6630345195720643, "Omega": 1.4750728607609962, "F": 2.216672489799425, "regime": "contact",
+    }));
+    match branch(&p, &BranchOptions { points: 150, ..BranchOptions::new([0.8, 5.0], 2) }) {
+        Err(StudyError::NotFound { sought: "orbit that can be followed", found }) => {
+            let growth = found.split(' ').find_map(|word| word.parse::<f64>().ok()).expect("a number");
+            assert!(growth > 1e5, "{found}");
+        }
+        other => panic!("{other:?}"),
+    }
+}

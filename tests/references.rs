@@ -3,6 +3,7 @@
 mod common;
 
 use common::{floats, numbers, parameters, reference};
+use gear_bifurcations::error::{NumericsError, StudyError};
 use gear_bifurcations::model::parameters::{Parameters, Regime};
 use gear_bifurcations::study::multipliers::multipliers;
 use gear_bifurcations::study::orbit::{OrbitOptions, periodic_orbit};
@@ -63,6 +64,32 @@ fn orbits_agree_to_1e_8_from_a_rough_guess_and_from_none() {
             assert_eq!(orbit.period, period);
             assert!(orbit.stable);
         }
+    }
+}
+
+#[test]
+fn responses_are_found_through_the_folds_of_their_load() {
+    for case in reference("folded_responses")["cases"].as_array().expect("cases") {
+        let found = periodic_orbit(&parameters(&case["params"]), &OrbitOptions::default()).expect("found");
+        assert_eq!(found.period as u64, case["period_in_T"].as_u64().expect("a number"));
+        let states = case["states"].as_array().expect("states").iter().map(floats);
+        let nearest = states
+            .map(|state| {
+                state.iter().zip(found.state).fold(0.0_f64, |worst, (one, own)| worst.max((one - own).abs()))
+            })
+            .fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-8, "{nearest:e} {found:?}");
+    }
+}
+
+#[test]
+fn a_guess_whose_motion_escapes_leads_to_no_orbit() {
+    let options = OrbitOptions { period: 2, guess: Some([9.0; 6]), ..OrbitOptions::default() };
+    match periodic_orbit(&numbers(&[("Omega", 1.65)]), &options) {
+        Err(StudyError::Numerics(NumericsError::NoConvergence { residual, .. })) => {
+            assert!(residual.is_finite() && residual > 1.0);
+        }
+        other => panic!("{other:?}"),
     }
 }
 

@@ -10,6 +10,7 @@ pub mod edge_function;
 pub mod family;
 pub mod grid;
 pub mod linear_floquet;
+pub mod load_path;
 pub mod lyapunov;
 pub mod motion;
 pub mod multipliers;

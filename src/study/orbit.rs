@@ -1,12 +1,13 @@
 //! Periodic orbits, as fixed points of the stroboscopic map found by Newton's method with its exact derivative.
 
 use super::ErrorEstimate;
+use super::load_path::{loaded, through_folds};
 use super::motion::{self, ORDER_20};
 use super::multipliers::{Budget, common_period, image, image_between, is_stable, trivial_state, unloaded};
 use super::poincare::Strobe;
 use super::time_response::largest_difference;
 use crate::error::{NumericsError, StudyError};
-use crate::model::equations::GearPair;
+use crate::model::equations::{DIVERGED, GearPair};
 use crate::model::parameters::{Parameters, Regime};
 use crate::numerics::floquet::{self, Matrix6};
 use crate::numerics::multiple_shooting;
@@ -86,13 +87,26 @@ pub fn periodic_orbit(p: &Parameters, options: &OrbitOptions) -> Result<Periodic
     let budget = Budget::default();
     if let Some(guess) = options.guess {
         motion::check_state(&GearPair::new(p), &guess)?;
-        let state = solve(p, guess, options, &budget)?;
+        let state = solve(p, guess, options, &budget).map_err(|error| none_near(p, error, options))?;
         return describe(p, state, options);
     }
     match options.period {
         period if period == common => response(p, period, options, &budget),
         2 => period_two(p, options, &budget),
         _ => from_long_motion(p, options, &budget),
+    }
+}
+
+/// What a search from a guess says whose motion leaves before a period is over, or whose map has no regular derivative:
+/// that there is no orbit near. The residual is then at least the distance at which motions count as escaped.
+fn none_near(p: &Parameters, error: NumericsError, options: &OrbitOptions) -> NumericsError {
+    match error {
+        NumericsError::Escaped { .. } | NumericsError::NotFinite { .. } | NumericsError::Singular => {
+            let [pinion, gear] = GearPair::new(p).escape_bounds();
+            let residual = pinion.min(gear).min(DIVERGED);
+            NumericsError::NoConvergence { iterations: 0, residual, tolerance: options.tolerance }
+        }
+        other => other,
     }
 }
 
@@ -189,7 +203,8 @@ fn start_of_parts(
 }
 
 /// The steady response: the T-periodic orbit that grows from the trivial state with the load, and where that folds
-/// back before all of the load acts, the orbit that a long motion comes to.
+/// back before all of the load acts, the orbit that a long motion comes to; where that comes to none of this period, the
+/// one that the responses lead to through their folds.
 ///
 /// In the backlash regime it is looked for in permanent contact first; where that response parts the teeth, it is
 /// the guess for the true one, and where this fails, the end of a long motion is.
@@ -211,8 +226,11 @@ pub fn response(
         return match grown_with_load(p, options, budget) {
             Ok(solution) => describe(p, solution, options),
             Err(error @ NumericsError::TooManySteps { .. }) => Err(error.into()),
-            // Folded back before all of the load acts, as under a load at a resonance: what is left is stable.
-            Err(error) => from_long_motion(p, options, budget).map_err(|_| error.into()),
+            // Folded back before all of the load acts, as under a load at a resonance: what is left may be stable.
+            Err(error) => from_long_motion(p, options, budget).or_else(|_| {
+                let place = through_folds(p, period, options.tolerance, budget).map_err(|_| error)?;
+                describe(p, solve(p, place, options, budget)?, options)
+            }),
         };
     }
     let contact = Parameters { regime: Regime::Contact, ..*p };
@@ -228,13 +246,6 @@ pub fn response(
 const LEAST_SHARE: f64 = 1.0 / 4096.0;
 
 fn grown_with_load(p: &Parameters, options: &OrbitOptions, budget: &Budget) -> Result<Found, NumericsError> {
-    let loaded = |share: f64| Parameters {
-        load: share * p.load,
-        load_p: share * p.load_p,
-        load_g: share * p.load_g,
-        error: share * p.error,
-        ..*p
-    };
     let trivial = newton::Solution { point: trivial_state(p), residual: 0.0, iterations: 0 };
     let (mut at, mut share, mut before) = (Found::from(trivial), 0.0, None::<(f64, [f64; 6])>);
     let mut step = 0.5;
@@ -248,7 +259,7 @@ fn grown_with_load(p: &Parameters, options: &OrbitOptions, budget: &Budget) -> R
             }
             None => at.nodes[0],
         };
-        let found = solve(&loaded(next), guess, options, budget);
+        let found = solve(&loaded(p, next), guess, options, budget);
         match found {
             Ok(solution) if near(&solution.nodes[0], &guess, &at.nodes[0]) => {
                 before = Some((share, at.nodes[0]));
