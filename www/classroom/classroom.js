@@ -40,6 +40,8 @@ class Classroom {
   /** @type {{id: string, player: Player} | null} */
   #playing = null;
   #message = element("p", "message");
+  /** The point is being set to where a lesson's step begins, which shows nothing by itself. */
+  #arriving = false;
 
   /**
    * @param {HTMLElement} host
@@ -50,6 +52,7 @@ class Classroom {
     this.#message.setAttribute("role", "status");
     host.append(this.#home);
     services.store.subscribe((state, before) => {
+      if (this.#arriving) return;
       if (state.lesson?.id !== before.lesson?.id || this.#playing === null) this.#show();
       else if (state !== before) this.#playing.player.show();
     });
@@ -103,7 +106,9 @@ class Classroom {
     if ((at > 0 && entries[at].name !== "act.link") || state.preset !== INITIAL.preset) return;
     const wanted = Math.min(state.lesson?.step ?? 0, lesson.steps.length - 1);
     const there = lesson.steps.slice(0, wanted + 1).reduce((before, { preset, point }, step) => withStep(before, step, preset, point), state);
+    this.#arriving = true;
     store.update({ preset: there.preset, point: { ...there.point, ...state.point } });
+    this.#arriving = false;
   }
 
   #showList() {
