@@ -21,10 +21,10 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// No visitor should wait for more wasm than this, in bytes as it travels (gzipped). `ARCHITECTURE.md` says why it is not less.
-pub const WASM_CEILING: usize = 490_000;
+pub const WASM_CEILING: usize = 500_000;
 
 /// Nor for more than this in all, when the page is opened for the first time.
-pub const FIRST_VISIT_CEILING: usize = 660_000;
+pub const FIRST_VISIT_CEILING: usize = 670_000;
 
 /// What a build made.
 pub struct Built {
