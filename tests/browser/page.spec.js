@@ -93,7 +93,8 @@ test.describe("by touch", () => {
           height: target.getBoundingClientRect().height,
         })),
       );
-      return found.filter(({ height }) => height < 43.9).map(({ what }) => what);
+      // What is not shown at present has no height.
+      return found.filter(({ height }) => height > 0 && height < 43.9).map(({ what }) => what);
     });
     expect(small).toEqual([]);
   });

@@ -53,7 +53,7 @@ canvas.handles { cursor: move; }
 .bar { display: grid; grid-template-columns: minmax(0, 1fr) auto; align-items: center; column-gap: 1rem; min-block-size: 2.75rem; margin-block-end: 0.5rem; }
 .readout { grid-area: 1 / 1; margin: 0; font-size: 0.875rem; line-height: 1.25; color: var(--quiet, #555);
   font-variant-numeric: tabular-nums; max-block-size: 2.5em; overflow: hidden; }
-.buttons { grid-area: 1 / 2; display: flex; gap: 0.25rem; margin-inline-end: -0.6rem; }
+.buttons { grid-area: 1 / 2; display: flex; flex-wrap: wrap; justify-content: end; gap: 0.25rem; margin-inline-end: -0.6rem; }
 button { font: inherit; font-size: 0.9375rem; color: inherit; background: none; border: 1px solid transparent; border-radius: 3px;
   padding: 0 0.6rem; min-inline-size: 1.75rem; min-block-size: 1.75rem; cursor: pointer; text-decoration: underline;
   text-decoration-color: var(--rule, #bbb); text-underline-offset: 0.2em; }
@@ -125,6 +125,7 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 :host([fit]) :is(.panel-place, .rows, .legend) { display: none; }
 :host([fit]) .bar { position: absolute; inset-block-start: -1.6rem; inset-inline: 45% 0; min-block-size: 1.5rem; margin: 0; grid-template-columns: minmax(0, 1fr) auto; }
 :host([fit]) .readout { text-align: end; white-space: nowrap; text-overflow: ellipsis; }
+:host([fit]) .buttons { flex-wrap: nowrap; }
 :host([fit]) .buttons button.reset, :host([fit]) .data:not([open]) { display: none; }
 :host([fit]) .status:not(.wrong) { display: none; }
 :host([fit]) .status.wrong { position: absolute; inset-block-start: 100%; inset-inline: 0; background: var(--ground, #fff); }
