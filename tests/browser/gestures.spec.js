@@ -364,12 +364,17 @@ test("a figure made of formulas is drawn in the very frame in which its paramete
 test("a click in a chart tells what was picked", async ({ page }) => {
   await open(page);
   const { curve, x: wanted, y } = await point(page, "2");
-  const place = (await stand(page, "2")).of(wanted, y);
-  const picked = page.evaluate(
-    () => new Promise((resolve) => document.addEventListener("gear-pick", (event) => resolve(/** @type {CustomEvent} */ (event).detail), { once: true })),
-  );
-  await page.mouse.click(place.x, place.y);
-  const { figure: id, frame: where, x, series } = /** @type {any} */ (await picked);
+  // The listener stands before the click, and the place is asked anew while the page still comes to rest.
+  await page.evaluate(() => {
+    document.addEventListener("gear-pick", (event) => Object.assign(window, { picked: /** @type {CustomEvent} */ (event).detail }));
+  });
+  const picked = () => page.evaluate(() => /** @type {any} */ (window).picked ?? null);
+  await expect(async () => {
+    const place = (await stand(page, "2")).of(wanted, y);
+    await page.mouse.click(place.x, place.y);
+    await expect.poll(picked, { timeout: 2000 }).not.toBeNull();
+  }).toPass();
+  const { figure: id, frame: where, x, series } = await picked();
   expect(id).toBe("2");
   expect(where).toBe(curve.frame);
   expect(typeof series).toBe("string");
