@@ -103,11 +103,16 @@ test.describe("by touch", () => {
 test("panels a, b, c stand side by side where there is room", async ({ page }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await open(page);
-  const boxes = await Promise.all(["11a", "11b", "11c"].map((id) => figure(page, id).boundingBox()));
-  expect(new Set(boxes.map((box) => Math.round(box?.y ?? NaN))).size).toBe(1);
+  // All at one moment: while figures above come alive, places move.
+  const places = (/** @type {"x" | "y"} */ side) =>
+    page.evaluate((axis) => {
+      const found = ["11a", "11b", "11c"].map((id) => document.querySelector(`gear-figure[figure="${id}"]`)?.getBoundingClientRect()[axis]);
+      return new Set(found.map((place) => Math.round(place ?? NaN))).size;
+    }, side);
+  await expect.poll(() => places("y")).toBe(1);
+  await expect.poll(() => places("x")).toBe(3);
   await page.setViewportSize({ width: 500, height: 900 });
-  const stacked = await Promise.all(["11a", "11b", "11c"].map((id) => figure(page, id).boundingBox()));
-  expect(new Set(stacked.map((box) => Math.round(box?.x ?? NaN))).size).toBe(1);
+  await expect.poll(() => places("x")).toBe(1);
 });
 
 test("a theme is chosen in the settings, figures follow, and the choice is kept", async ({ page }) => {
