@@ -3,6 +3,7 @@
 pub mod basin;
 pub mod benchmark;
 pub mod branch;
+mod chart_column;
 pub mod chart_work;
 pub mod contact;
 pub mod diagram;

@@ -242,6 +242,24 @@ pub fn response(
     from_long_motion(p, options, budget)
 }
 
+/// The state at t = 0 of the response that grows with the load without folding back; with a dead zone, of the one that is
+/// found from it.
+///
+/// # Errors
+/// [`NumericsError`] where there is none.
+pub(super) fn grown(
+    p: &Parameters,
+    options: &OrbitOptions,
+    budget: &Budget,
+) -> Result<[f64; 6], NumericsError> {
+    if p.regime != Regime::Backlash {
+        return Ok(grown_with_load(p, options, budget)?.solution.point);
+    }
+    let contact = Parameters { regime: Regime::Contact, ..*p };
+    let touching = grown_with_load(&contact, options, budget)?;
+    Ok(solve(p, touching.solution.point, options, budget)?.solution.point)
+}
+
 /// Smallest share of the load by which the response is carried on before the search is given up.
 const LEAST_SHARE: f64 = 1.0 / 4096.0;
 

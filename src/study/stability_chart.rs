@@ -398,7 +398,7 @@ fn continue_from(
 
 /// How far errors of the coefficients can move the greatest root: divided by the polynomial's slope there, or the square
 /// root where roots meet.
-fn conditioned(top: &Top, degree: usize, error: f64) -> f64 {
+pub(super) fn conditioned(top: &Top, degree: usize, error: f64) -> f64 {
     let mut change = 0.0;
     for _ in 1..degree {
         change = (change + error) * top.radius;
