@@ -10,6 +10,7 @@ use super::exact_exponents::Exponents;
 use super::exact_pitchforks::Pitchforks;
 use super::exponents::ExponentPaths;
 use super::load::Loads;
+use super::loaded_stability::{self, LoadedTongues};
 use super::multiplier_paths::MultiplierPaths;
 use super::overall::Overall;
 use super::poincare_map::{self, Map};
@@ -261,6 +262,7 @@ impl Job {
             "E" => Work::Slices(Box::new(Errata::new(&parameters)?)),
             "S" => Work::Slices(Box::new(Sweeps::new(&parameters)?)),
             "8" => Work::Slices(Box::new(ExponentPaths::new(&parameters)?)),
+            "T" if loaded_stability::applies(p) => Work::Slices(Box::new(LoadedTongues::new(p)?)),
             "M" => Work::Slices(Box::new(MultiplierPaths::new(&parameters))),
             "P" => Work::Slices(Box::new(TrajectoryMap::new(&parameters, start))),
             id if poincare_map::draws(id) => Work::Slices(Box::new(Map::new(&parameters))),

@@ -21,6 +21,7 @@ mod gearing;
 mod hopf;
 mod job;
 mod load;
+mod loaded_stability;
 mod multiplier_paths;
 mod overall;
 mod pitchfork;

@@ -303,7 +303,8 @@ static SPECIFICATIONS: [Specification; 31] = [
         caption: "Where rest is unstable, over mesh frequency and depth of the pulsation. Colour: the exact growth rate; white: \
             stable. Blue: exact boundaries, where a multiplier passes −1 (plain) or a pair leaves the unit circle \
             (small circles). Grey: the paper\u{2019}s first order; green: first order with damping. The ring is the \
-            present *Ω* and *k*_{0}: drag it.",
+            present *Ω* and *k*_{0}: drag it. Of a loaded pair with cubic supports it is the response to the load whose growth is \
+            shown.",
         parameters: LINEAR_AT,
         aspect: 1.6,
         ..BLANK

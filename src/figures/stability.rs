@@ -10,7 +10,7 @@ use crate::model::parameters::{Parameters, Regime, Symmetric};
 use crate::order;
 use crate::study::ErrorEstimate;
 use crate::study::grid::Grid;
-use crate::study::multipliers::multipliers;
+use crate::study::multipliers::{multipliers, unloaded};
 use crate::study::stability_chart::{StabilityChart, stability_chart};
 use crate::study::tongue::{EdgeKind, Tongue, tongue_edges};
 use crate::study::tongue_boundary::{TongueBoundary, tongue_boundary};
@@ -75,7 +75,7 @@ pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure
         }
     };
     let charted = notes.is_empty();
-    if parameters.load != 0.0 || parameters.error != 0.0 {
+    if !unloaded(parameters) {
         notes.push(
             "The load does not matter here: it is the unloaded state whose stability is asked.".to_owned(),
         );
@@ -242,7 +242,7 @@ fn drawing(p: &Parameters, chart: &StabilityChart, found: &[Found], grows: bool)
 type Damped<'a> = &'a dyn Fn(f64) -> Option<Edges>;
 
 /// The tongues to first order: straight as printed, with damping as hyperbolas.
-fn first_order(composer: &mut Composer, frame: usize, setting: &Setting) {
+pub(super) fn first_order(composer: &mut Composer, frame: usize, setting: &Setting) {
     let modes = &setting.modes;
     let symmetric = &setting.symmetric;
     let at = |k0: f64| Symmetric { k0, ..*symmetric };

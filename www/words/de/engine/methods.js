@@ -75,8 +75,8 @@ export const methods = [
     "charakteristisches Polynom an jedem Punkt, Taylorreihe der Ordnung {1} auf einer halben Periode",
   ],
   [
-    "periodic response at every point by Newton's method from its neighbours, variational Taylor series, QR",
-    "periodische Antwort an jedem Punkt nach dem Newton-Verfahren von den Nachbarn aus, Taylorreihen der Variationsgleichungen, QR",
+    "field: periodic response by Newton's method from its neighbours, variational Taylor series; between them the characteristic polynomial's coefficients interpolated along k0",
+    "Feld: periodische Antwort nach dem Newton-Verfahren von den Nachbarn aus, Taylorreihen der Variationsgleichungen; dazwischen die Koeffizienten des charakteristischen Polynoms längs k0 interpoliert",
   ],
   ["pseudo-arclength continuation to {1}", "Bogenlängenfortsetzung auf {1}"],
   [

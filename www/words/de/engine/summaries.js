@@ -172,6 +172,23 @@ export const summaries = [
     "Bei Omega = {1}, k0 = {2} ist die Ruhe {3}: Der größte Multiplikator hat den Betrag {4}, eine Abweichung {5} mit der Rate {6}.",
   ],
   [
+    "At Omega = {1}, k0 = {2} the response to the load is {3}: the largest multiplier has magnitude {4}, a deviation grows at the rate {5}.",
+    "Bei Omega = {1}, k0 = {2} ist die Antwort auf die Last {3}: Der größte Multiplikator hat den Betrag {4}, eine Abweichung wächst mit der Rate {5}.",
+  ],
+  [
+    "At Omega = {1}, k0 = {2} the response to the load is {3}: the largest multiplier has magnitude {4}, a deviation decays at the rate {5}.",
+    "Bei Omega = {1}, k0 = {2} ist die Antwort auf die Last {3}: Der größte Multiplikator hat den Betrag {4}, eine Abweichung fällt mit der Rate {5}.",
+  ],
+  [
+    "At Omega = {1}, k0 = {2} no periodic response was found that the load leads to.",
+    "Bei Omega = {1}, k0 = {2} wurde keine periodische Antwort gefunden, zu der die Last führt.",
+  ],
+  [
+    "Under this load it is the periodic response whose stability is asked; the formulas are those of rest.",
+    "Unter dieser Last wird nach der Stabilität der periodischen Antwort gefragt; die Formeln sind die der Ruhe.",
+  ],
+  ["{1} per cent of the field computed so far.", "{1} Prozent des Felds sind bisher berechnet."],
+  [
     "From rest at (0, 0, 1): with backlash u {1}; in permanent contact u {2}.",
     "Aus der Ruhe bei (0, 0, 1): Mit Spiel {1}; in dauerndem Kontakt {2}.",
   ],
