@@ -1,7 +1,7 @@
 //! Exact branches for figures over the mesh frequency: periodic orbits by the automatic diagram, tori between the
 //! torus bifurcations of the steady response.
 
-use super::compose::{Composer, Line, Points, even};
+use super::compose::{Composer, Line, Points, even, number};
 use super::job::Orbits;
 use crate::chart::drawing::{Mark, Role};
 use crate::error::FigureError;
@@ -20,6 +20,9 @@ const TORUS: f64 = 1e-7;
 /// Orbits with a multiplier above this are left out: what is left of double precision there does not show in a picture,
 /// but nobody would meet them either.
 const STEEPEST: f64 = 1e4;
+
+/// Distance of a torus from its own image up to which it counts as a smooth curve that its Fourier series describes.
+const SMOOTH: f64 = 1e-5;
 
 /// A torus at one mesh frequency.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +47,11 @@ pub(super) struct Exact {
     /// The torus that is being looked for, and where.
     search: Option<(f64, TorusWork)>,
     tori: Vec<Size>,
+    /// Of those that are smooth.
     of_tori: ErrorEstimate,
+    /// How many are not, and how far the worst of them is from being mapped onto itself.
+    rough: usize,
+    roughest: f64,
     /// Why there are no branches, where there are none.
     refused: Option<String>,
     /// Tori that are looked for between two torus bifurcations.
@@ -106,6 +113,8 @@ impl Exact {
             search: None,
             tori: Vec::new(),
             of_tori: ErrorEstimate::default(),
+            rough: 0,
+            roughest: 0.0,
             refused: None,
             tori_wanted: 0,
         }
@@ -155,7 +164,13 @@ impl Exact {
         if let Ok(found) = answer {
             let state = found.curve.first().copied().unwrap_or_default();
             self.tori.push(Size { omega, max_u_p: found.max_u_p, stable: found.stable, state });
-            self.of_tori = self.of_tori.worse(found.error);
+            let off = found.error.residual.unwrap_or(0.0);
+            if off > SMOOTH {
+                self.rough += 1;
+                self.roughest = self.roughest.max(off);
+            } else {
+                self.of_tori = self.of_tori.worse(found.error);
+            }
         }
         Ok(self.waiting.as_ref().is_none_or(Vec::is_empty))
     }
@@ -208,6 +223,14 @@ impl Exact {
             notes.push(format!(
                 "Left out are {left_out} of {all} exact orbits, with a multiplier above 10,000; the errors given are \
                  those of the branches drawn whole."
+            ));
+        }
+        if self.rough > 0 {
+            notes.push(format!(
+                "{} of {} tori are no smooth curves: their size is that of points of a long motion, to {}.",
+                self.rough,
+                self.tori.len(),
+                number(self.roughest, 1)
             ));
         }
         match (&self.waiting, self.work.is_some()) {

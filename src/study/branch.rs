@@ -177,7 +177,7 @@ pub struct Branch {
     /// How it was computed.
     pub method: String,
     /// What is known of the error: the largest `residual` and `liouville` of all points, and `step`, the change of the
-    /// multipliers of one of them when every step is halved.
+    /// multipliers of one of them when every step is halved, relative to the largest where that is above one.
     pub error: ErrorEstimate,
 }
 

@@ -61,9 +61,9 @@ test("figures with theory and exact answer give the distance between them, and e
     }
     const errors = Object.values(error);
     assert.ok(errors.length > 0 && errors.every((value) => value >= 0), `figure ${id}: ${JSON.stringify(error)}`);
-    // Among many branches there are orbits so unstable that a picture is all they are good for; their errors are told as they are.
-    const many = ["7", "9", "10", "B"].includes(id);
-    assert.ok(many || errors.every((value) => value < 1e-5), `figure ${id}: ${JSON.stringify(error)}`);
+    // Among many branches there are orbits with multipliers up to 10,000, and of tori a line is drawn through some dozen.
+    const most = ["7", "9", "10", "B"].includes(id) ? 5e-5 : 1e-5;
+    assert.ok(errors.every((value) => value < most), `figure ${id}: ${JSON.stringify(error)}`);
   }
   for (const id of ["14a", "14b", "M", "S", "L", "A", "1"]) {
     assert.ok(Object.keys(/** @type {Figure} */ (figures.get(id)).error).length > 0, `figure ${id}`);

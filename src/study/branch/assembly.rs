@@ -160,7 +160,7 @@ fn columns(
                 .into(),
         error: ErrorEstimate::default(),
     };
-    let (mut residual, mut liouville) = (0.0_f64, 0.0_f64);
+    let mut liouville = 0.0_f64;
     for (index, point) in points.iter().enumerate() {
         let (state, value) = scale.plain(&point.at);
         let spectrum = whole(&point.linear.spectrum, squared);
@@ -184,14 +184,36 @@ fn columns(
         // determinant is 1.
         let trace = GearPair::new(&p).trace();
         liouville = liouville.max(floquet::liouville_residual(&point.evaluation.derivative, trace * length));
-        residual = residual.max(point.residual);
     }
     branch.error = ErrorEstimate {
         liouville: Some(liouville),
         step: points.get(count / 2).and_then(|point| halved(family, path, scale, point)),
-        residual: Some(residual),
+        residual: Some(residual(family, path, scale, points)),
     };
     branch
+}
+
+/// Points of a branch whose residual is computed at the state that is answered.
+const LOOKED_AT: usize = 24;
+/// A residual, over the scale of the states, that is told as it was before the last correction.
+const SMALL: f64 = 1e-8;
+
+/// The greatest residual of all points. What the points carry is that before their last correction, which makes it smaller:
+/// of steep maps, by many orders. Those that seem worst are looked at again.
+fn residual(family: &mut GearFamily, path: Path, scale: Scale, points: &[Point]) -> f64 {
+    let mut all: Vec<(f64, usize)> = points.iter().map(|point| point.residual).zip(0..).collect();
+    order::by_number(&mut all, |(before, _)| -before);
+    let mut greatest = 0.0_f64;
+    for (looked_at, &(before, index)) in all.iter().enumerate() {
+        if before <= greatest || before < SMALL * scale.state || looked_at == LOOKED_AT {
+            return greatest.max(before);
+        }
+        let (state, value) = scale.plain(&points[index].at);
+        let Ok(image) = family.image(path.kind, &state, value) else { return greatest.max(before) };
+        let now = state.iter().zip(image).fold(0.0_f64, |most, (one, other)| most.max((one - other).abs()));
+        greatest = greatest.max(now.min(before));
+    }
+    greatest
 }
 
 /// The multipliers over the whole period.
@@ -205,12 +227,12 @@ fn whole(spectrum: &Spectrum, squared: bool) -> Spectrum {
     }))
 }
 
-/// The change of the multipliers when every step is halved.
+/// The change of the multipliers when every step is halved, relative to the largest where that is above one.
 fn halved(family: &mut GearFamily, path: Path, scale: Scale, point: &Point) -> Option<f64> {
     let (state, value) = scale.plain(&point.at);
     family.step_factor = 0.5;
     let finer = family.evaluate(path.kind, &state, value);
     family.step_factor = 1.0;
     let finer = floquet::spectrum(&finer.ok()?.derivative).ok()?;
-    Some(finer.distance(&point.linear.spectrum))
+    Some(finer.distance(&point.linear.spectrum) / finer.radius().max(1.0))
 }

@@ -8,6 +8,10 @@ export const summaries = [
   ["{1} points so far as Omega rises.", "{1} Punkte bisher, während Omega steigt."],
   ["{1} exact branches so far.", "{1} exakte Zweige bisher."],
   ["{1} exact tori to go.", "{1} exakte Tori fehlen noch."],
+  [
+    "{1} of {2} tori are no smooth curves: their size is that of points of a long motion, to {3}.",
+    "{1} von {2} Tori sind keine glatten Kurven: Ihre Größe ist die von Punkten einer langen Bewegung, auf {3}.",
+  ],
   ["{1} tori to go.", "{1} Tori fehlen noch."],
   ["{1} mesh frequencies to go.", "{1} Eingriffsfrequenzen fehlen noch."],
   ["{1} periods computed so far.", "{1} Perioden bisher berechnet."],
