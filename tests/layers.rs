@@ -56,5 +56,6 @@ fn the_document_starts_the_engine_early_and_main_and_nothing_else() {
     let started = javascript::module_scripts(&document);
     let started: Vec<&str> = started.iter().map(|address| address.trim_start_matches("./")).collect();
     // An address that is not relative would not begin with www/.
-    assert_eq!(started, ["www/engine/running.js", "www/main.js"]);
+    let expected = ["www/engine/ahead.js", "www/figure/hold-back.js", "www/engine/running.js", "www/main.js"];
+    assert_eq!(started, expected);
 }

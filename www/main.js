@@ -63,9 +63,15 @@ let waiting = [];
 
 /** A figure that never comes must not hold up the others for longer than this, ms. */
 const OPENING = 2000;
-services.then(() => (all === 0 ? complete() : setTimeout(complete, OPENING)), () => {});
+services.then(() => (all === 0 ? complete() : setTimeout(complete, OPENING)), layOut);
+
+/** Lays out what `figure/hold-back.js` has kept back and no figure has brought yet. */
+function layOut() {
+  delete document.documentElement.dataset.opening;
+}
 
 function complete() {
+  layOut();
   void engine.then((running) => running.complete());
 }
 
@@ -80,6 +86,7 @@ function isOfThePaper(figure) {
  * @param {Element} figure
  */
 function countDrawing(figure) {
+  figure.closest("section")?.classList.add("laid-out");
   if (!isOfThePaper(figure)) return;
   drawn += 1;
   if (drawn === 1) performance.mark("first-figure");
@@ -95,6 +102,7 @@ function calmDown() {
   waiting = [];
   for (const work of calm) idle(work);
 }
+
 // A figure that cannot be drawn must not keep the others from their controls.
 setTimeout(calmDown, LONGEST_OPENING);
 

@@ -24,7 +24,6 @@ import { GearError, load } from "../../gear-bifurcations.js";
 import { wasm } from "./delivery.js";
 import { Pool, poolSize } from "./pool.js";
 import { PRIORITY } from "./protocol.js";
-import { warmDrawing } from "./warming.js";
 
 export { GearError, PRIORITY };
 
@@ -223,13 +222,10 @@ export class Engine {
  * @returns {Promise<Engine>} rejected with a `GearError` of code `load`
  */
 export async function startEngine() {
-  const loading = load(wasm());
+  const loading = Promise.resolve(wasm()).then((source) => load(source));
   const pool = new Pool(
     loading.then((gear) => gear.module),
     poolSize(navigator.hardwareConcurrency ?? 2),
   );
-  const gear = await loading;
-  // While they compute this thread has nothing to do; before, they wait for it in order to start, and it for the page.
-  void pool.busy.then(() => setTimeout(() => warmDrawing(gear)));
-  return new Engine(gear, pool);
+  return new Engine(await loading, pool);
 }

@@ -4,19 +4,27 @@
  */
 
 /**
+ * What the page's document has begun already: see `ahead.js`.
+ *
+ * @type {{module: Promise<WebAssembly.Module | undefined>, workers: Worker[]} | undefined}
+ */
+const ahead = /** @type {any} */ (self).gearAhead;
+
+/**
  * What the module is loaded from.
  *
- * @returns {import("../../gear-bifurcations.js").LoadSource | Promise<import("../../gear-bifurcations.js").LoadSource> | undefined}
- *   undefined for the file beside the module
+ * @returns {Promise<WebAssembly.Module | undefined> | undefined} undefined for the file beside the module
  */
 export function wasm() {
-  return undefined;
+  return ahead?.module;
 }
 
 /** @type {string | null} */
 let address = null;
 
 export function newWorker() {
+  const waiting = ahead?.workers.shift();
+  if (waiting !== undefined) return waiting;
   address ??= reachable(new URL("./worker.js", import.meta.url));
   return new Worker(address, { type: "module", name: "gear" });
 }

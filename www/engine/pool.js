@@ -65,11 +65,6 @@ export class Pool {
   #tickets = 0;
   /** Until every figure has its first picture no computation goes beyond it, so that drawing has the processor. */
   #firstPictures = true;
-  #tellBusy = () => {};
-  /** When a worker has begun to compute. @type {Promise<void>} */
-  busy = new Promise((resolve) => {
-    this.#tellBusy = resolve;
-  });
   /** Answers that came for computations nobody waits for any more. */
   dropped = 0;
   /** Workers that were replaced. */
@@ -100,7 +95,6 @@ export class Pool {
     if (seat.closed) this.#reopen(seat);
     seat.tasks.set(ticket, { wanted, answers, deaths: 0 });
     this.#say(seat, { type: "run", ticket, ...wanted });
-    if (seat.ready) this.#tellBusy();
     this.#pulse ??= setInterval(() => this.#check(), PULSE);
     return ticket;
   }
@@ -194,7 +188,6 @@ export class Pool {
     if (message.type === "ready") {
       seat.ready = true;
       seat.deaths = 0;
-      if (seat.tasks.size > 0) this.#tellBusy();
     }
     if (message.type === "ready" || message.type === "pong") return;
     if (message.type === "step") {

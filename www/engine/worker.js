@@ -152,7 +152,8 @@ function cancel(ticket) {
 self.addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }) => {
   switch (data.type) {
     case "start":
-      loading = load(data.module);
+      // The document may have been before the page: see ahead.js.
+      loading ??= load(data.module);
       loading.then(
         () => post({ type: "ready" }),
         () => {},

@@ -34,6 +34,7 @@ import { showRows } from "./rows.js";
 import { services } from "./services.js";
 import { furnish } from "./shadow.js";
 import { showTables } from "./table.js";
+import { inTurn, isHeldBack } from "./turn.js";
 import { FIRST, Turning } from "./turning.js";
 import { sound } from "./windows.js";
 
@@ -101,6 +102,8 @@ export class GearFigure extends HTMLElement {
   /** Whether the page has opened, and can draw as finely as it likes. */
   #settled = false;
   #life = new AbortController();
+  /** Whether it was on the screen when it began: the observer says so only after the next frame. */
+  #standing = false;
   /** Whether it is on the screen or nearly so. */
   inSight = false;
 
@@ -151,9 +154,15 @@ export class GearFigure extends HTMLElement {
       attributes.disconnect();
     });
     services.then(
-      (provided) => {
-        if (!signal.aborted) this.#begin(provided, signal);
-      },
+      (provided) =>
+        inTurn({
+          stands: () => this.#stands(),
+          begin: (stands) => {
+            this.#standing = stands;
+            this.#begin(provided, signal);
+          },
+          signal,
+        }),
       (thrown) => {
         if (!signal.aborted) this.#complain(thrown);
       },
@@ -303,7 +312,7 @@ export class GearFigure extends HTMLElement {
         engine.compute(id, given, {
           signal: ended,
           partial,
-          priority: this.inSight || this.#stands() ? priority.shown : priority.hidden,
+          priority: this.inSight || this.#standing ? priority.shown : priority.hidden,
           restarted: () => this.#say(say("figure.replaced")),
         }),
       // The first picture of all figures is the workers': here they would come one after another.
@@ -456,7 +465,7 @@ export class GearFigure extends HTMLElement {
     this.#frame = 0;
     this.#questions += 1;
     // What has no place on the page, in a view that is not shown, must not take time from what has.
-    this.#postponed = !wanted && this.clientWidth === 0;
+    this.#postponed = !wanted && !isHeldBack(this) && this.clientWidth === 0;
     if (this.#postponed) return;
     clearTimeout(this.#notice);
     this.#notice = setTimeout(() => {
@@ -567,13 +576,15 @@ export class GearFigure extends HTMLElement {
   /** @param {boolean} inSight */
   #see(inSight) {
     this.inSight = inSight;
+    this.#standing = false;
     if (inSight && this.#postponed) this.#ask();
     if (inSight && (this.#coarse || this.#computation?.busy)) this.#repaint();
     if (this.#clock) this.#clock.seen = inSight;
   }
 
-  /** Whether it is on the screen by its place: the observer says so only after the next frame. */
+  /** Whether it is on the screen by its place. */
   #stands() {
+    if (isHeldBack(this)) return false;
     const { width, top, bottom } = this.getBoundingClientRect();
     return width > 0 && bottom > 0 && top < innerHeight;
   }

@@ -78,6 +78,8 @@ function paintFrame() {
 
 function paintBetween() {
   posted = false;
+  // What is seen comes first: the frame that is on its way asks again.
+  if (framed) return;
   for (const painter of waiting) {
     if (painter.inSight) continue;
     paint(painter);

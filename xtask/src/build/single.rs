@@ -24,8 +24,12 @@ const DELIVERY_INLINE: &str = "www/engine/delivery-inline.js";
 const RUNNING: &str = "www/engine/running.js";
 const MAIN: &str = "www/main.js";
 const FIGURE: &str = "www/embed/figure-file.js";
-const HOLD_BACK: &str = "www/embed/hold-back.js";
+const HOLD_BACK: &str = "www/figure/hold-back.js";
 const WORKER: &str = "www/engine/worker.js";
+
+/// After this time a figure there without a live drawing shows its still one, ms: reading all of them takes longer than a
+/// live one.
+const PATIENCE: u32 = 4000;
 
 /// The parts that all these files have, by the id of their element.
 const PARTS: [&str; 6] = ["gear-style", "gear-wasm", "gear-module", "gear-worker", "gear-code", "gear-shell"];
@@ -76,7 +80,11 @@ impl<'a> Single<'a> {
                 self.site.text(address).map(|drawing| Some(picture_address(drawing)))
             };
             let late = format!("<script id=\"gear-page\">\n{}</script>\n{}", self.page, started(MAIN));
-            let early = format!("<script>\n{}</script>\n{}", self.hold_back, started(RUNNING));
+            let early = format!(
+                "<script data-patience=\"{PATIENCE}\">\n{}</script>\n{}",
+                self.hold_back,
+                started(RUNNING)
+            );
             let scripts = Scripts { early: &early, late: &late };
             let page = self.filled(&shell(self.site, self.index, &picture, &scripts)?);
             if page.len() <= CEILING {

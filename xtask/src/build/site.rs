@@ -1,6 +1,7 @@
 //! The static folder: what is in it, and how it is brought up to date.
 
 use super::bindings::Generated;
+use super::document::rewrite;
 use super::modules::Modules;
 use super::single::{self, Single};
 use super::stamp::Stamp;
@@ -86,7 +87,6 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
     let document = |path: &Path| std::fs::read_to_string(path).map_err(Failure::file(path));
     let index = stamp.put_into(&document(&root.join("index.html"))?);
     let figure = stamp.put_into(&document(&www.join(FIGURE_SHELL))?);
-    site.add("index.html", index.clone());
     site.add(equations::PAGE, equations::page(root)?);
     let mut modules = Modules::new();
     for name in place::files_below(&www)? {
@@ -100,6 +100,7 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
             site.copy(&from, &path)?;
         }
     }
+    site.add("index.html", with_plain_scripts(&index, &modules)?);
     // Each figure as a drawing, for readers without scripts and until the live one is there. A test proves that they
     // are what the library draws today, so that the build need not compile it twice.
     let drawings = root.join("tests/goldens");
@@ -137,6 +138,20 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
         site.add(&name, file);
     }
     Ok(Gathered { site, left_out })
+}
+
+/// The document with its plain scripts inside: they run while it is still being read, and wait for no request. Modules stay
+/// files.
+fn with_plain_scripts(document: &str, modules: &Modules) -> Result<String, Failure> {
+    rewrite(document, |tag| {
+        let Some(address) = tag.value("src").filter(|_| tag.name == "script" && tag.value("type").is_none())
+        else {
+            return Ok(None);
+        };
+        let text =
+            modules.get(address).ok_or_else(|| Failure::invalid(address, "there is no such script"))?;
+        Ok(Some(format!("{}\n{}", tag.with("src", None), script::bare(text))))
+    })
 }
 
 impl Site {
@@ -209,7 +224,8 @@ impl Site {
 
 #[cfg(test)]
 mod tests {
-    use super::{MODULE, Site};
+    use super::{MODULE, Site, with_plain_scripts};
+    use crate::build::modules::Modules;
 
     fn folder(name: &str) -> std::path::PathBuf {
         let folder = std::env::temp_dir().join(format!("gear-site-{}-{name}", std::process::id()));
@@ -231,6 +247,18 @@ mod tests {
         assert_eq!(crate::place::files_below(&out).unwrap(), [MODULE, "www/style/new.css"]);
         assert_eq!(std::fs::read(out.join(MODULE)).unwrap(), b"two");
         std::fs::remove_dir_all(out).unwrap();
+    }
+
+    #[test]
+    fn plain_scripts_stand_in_the_document_and_modules_do_not() {
+        let scripts = Modules::from([("a.js".to_owned(), "// why\nlet a = 1;\n".to_owned())]);
+        let document =
+            "<script src=\"a.js\" data-b=\"1\"></script><script type=\"module\" src=\"c.js\"></script>";
+        assert_eq!(
+            with_plain_scripts(document, &scripts).unwrap(),
+            "<script data-b=\"1\">\nlet a = 1;\n</script><script type=\"module\" src=\"c.js\"></script>"
+        );
+        assert!(with_plain_scripts("<script src=\"d.js\"></script>", &scripts).is_err());
     }
 
     #[test]

@@ -9,7 +9,7 @@ use std::io::Write;
 /// which are compressed already.
 pub type Weights = BTreeMap<String, usize>;
 
-/// Follows what the document names: its links and scripts, what those import and start, what the styles fetch, and the
+/// Follows what the document names: its links and scripts, also those that stand in it, what those import and start, what the styles fetch, and the
 /// first static drawing, which stands where the page opens.
 ///
 /// # Errors
@@ -51,7 +51,8 @@ fn of_document(text: &str) -> Vec<&str> {
     let links = between(text, "<link ", ">").filter_map(|tag| between(tag, "href=\"", "\"").next());
     let scripts = between(text, "<script ", ">").filter_map(|tag| between(tag, "src=\"", "\"").next());
     let drawings = between(text, "<img ", ">").filter_map(|tag| between(tag, "src=\"", "\"").next());
-    let all = links.chain(scripts).chain(drawings.take(1));
+    let fetched = between(text, "fetch(\"", "\"").chain(between(text, "new Worker(\"", "\""));
+    let all = links.chain(scripts).chain(drawings.take(1)).chain(fetched);
     all.filter(|address| !address.contains(':') && !address.starts_with('#')).collect()
 }
 
@@ -94,8 +95,8 @@ mod tests {
     fn everything_that_opens_with_the_page_is_weighed_once_and_nothing_else() {
         let mut site = Site::default();
         let document = "<link rel=\"stylesheet\" href=\"a/b.css\"><script src=\"a/main.js\"></script>\
-            <a href=\"elsewhere.html\"></a><img src=\"1.svg\"><img src=\"2.svg\"><link href=\"https://x.org/y\">";
-        let script = "import * as x from \"../x.js\";\nconst y = new URL(\"./w.js\", import.meta.url);\nconst z = () => import(\"./later.js\");\n";
+            <a href=\"elsewhere.html\"></a><img src=\"1.svg\"><img src=\"2.svg\"><script>fetch(\"m.wasm\"); new Worker(\"a/w.js\");</script><link href=\"https://x.org/y\">";
+        let script = "import * as x from \"../x.js\";\nconst y = new URL(\"./v.js\", import.meta.url);\nconst z = () => import(\"./later.js\");\n";
         for (name, content) in [
             ("index.html", document),
             ("a/b.css", "@font-face { src: url(\"f.woff2\") }"),
@@ -105,14 +106,29 @@ mod tests {
                 "a/w.js",
                 "const place = new URL(\"./joined.js\", import.meta.url).href;\nimport * as x from \"../x.js\";\n",
             ),
+            ("a/v.js", ""),
             ("x.js", "x"),
             ("1.svg", "<svg/>"),
+            ("m.wasm", "m"),
         ] {
             site.add(name, content);
         }
         let weights = first_visit(&site).unwrap();
         let names: Vec<&str> = weights.keys().map(String::as_str).collect();
-        assert_eq!(names, ["1.svg", "a/b.css", "a/f.woff2", "a/main.js", "a/w.js", "index.html", "x.js"]);
+        assert_eq!(
+            names,
+            [
+                "1.svg",
+                "a/b.css",
+                "a/f.woff2",
+                "a/main.js",
+                "a/v.js",
+                "a/w.js",
+                "index.html",
+                "m.wasm",
+                "x.js"
+            ]
+        );
         assert_eq!(weights["a/f.woff2"], 4);
         assert_eq!(weights["index.html"], gzipped(document.as_bytes()).len());
     }

@@ -1,0 +1,30 @@
+// What a browser would read and lay out before the first figure lives, although nobody sees it yet, is held back: the still
+// drawings that stand in for figures, and the sections of the story below the first screen. This script stands in the
+// document itself, before all else; where it may not run, everything comes as it stands, and the figures a little later.
+{
+  /** After this time a figure without a live drawing shows its still one, ms: a site's wasm may come over a slow line. */
+  const patience = Number(document.currentScript?.dataset.patience);
+  /** @type {[HTMLImageElement, string][]} */
+  const held = [];
+  const watch = new MutationObserver((changes) => {
+    for (const node of changes.flatMap(({ addedNodes }) => [...addedNodes])) {
+      if (!(node instanceof HTMLImageElement) || node.parentElement?.localName !== "gear-figure") continue;
+      held.push([node, node.getAttribute("src") ?? ""]);
+      node.removeAttribute("src");
+    }
+  });
+  watch.observe(document, { childList: true, subtree: true });
+  addEventListener("DOMContentLoaded", () => {
+    watch.disconnect();
+    setTimeout(() => {
+      for (const [picture, address] of held) {
+        if (!picture.parentElement?.shadowRoot?.querySelector(".live")) picture.setAttribute("src", address);
+      }
+    }, patience);
+  });
+
+  // Only for whoever begins at the top: a place further down can be found only among sections that are laid out.
+  const visit = performance.getEntriesByType("navigation")[0];
+  const begins = location.hash === "" && visit instanceof PerformanceNavigationTiming && visit.type === "navigate";
+  if (begins) document.documentElement.dataset.opening = "";
+}

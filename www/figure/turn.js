@@ -1,0 +1,59 @@
+/**
+ * Figures begin in turn: those that stand on the screen at once, the others between whatever else the page has to do, for
+ * thirty of them in one go would hold it up.
+ *
+ * @typedef {object} Beginner
+ * @property {() => boolean} stands  Whether it is on the screen by its place.
+ * @property {(stands: boolean) => void} begin
+ * @property {AbortSignal} signal  Once it is aborted there is nobody to begin.
+ */
+
+/** As style/story.css has it. */
+const HELD_BACK = ':root[data-opening] main > [data-view="story"] > section:not(.laid-out)';
+
+/** Time one turn may take, ms. */
+const BUDGET = 6;
+
+/** @type {Beginner[]} */
+let arriving = [];
+/** @type {Beginner[]} */
+const waiting = [];
+const between = new MessageChannel();
+between.port1.onmessage = goOn;
+
+/**
+ * Whether an element has its place among what `hold-back.js` keeps from being laid out while the page opens: out of sight,
+ * and to ask where would have all of it laid out.
+ *
+ * @param {Element} element
+ */
+export function isHeldBack(element) {
+  return element.closest(HELD_BACK) !== null;
+}
+
+/** @param {Beginner} beginner */
+export function inTurn(beginner) {
+  arriving.push(beginner);
+  // Those that come together are looked at together: what each of them changes would have all places computed anew.
+  if (arriving.length === 1) queueMicrotask(beginShown);
+}
+
+function beginShown() {
+  const standing = arriving.map((beginner) => ({ beginner, stands: !beginner.signal.aborted && beginner.stands() }));
+  arriving = [];
+  const idle = waiting.length === 0;
+  for (const { beginner, stands } of standing) {
+    if (stands) beginner.begin(true);
+    else waiting.push(beginner);
+  }
+  if (idle && waiting.length > 0) between.port2.postMessage(null);
+}
+
+function goOn() {
+  const start = performance.now();
+  do {
+    const next = waiting.shift();
+    if (next !== undefined && !next.signal.aborted) next.begin(false);
+  } while (waiting.length > 0 && performance.now() - start < BUDGET);
+  if (waiting.length > 0) between.port2.postMessage(null);
+}
