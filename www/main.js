@@ -2,6 +2,7 @@
 
 import { engine, GearError, PRIORITY } from "./engine/running.js";
 import { watchPrinting } from "./figure/appearance.js";
+import { currentFigure, watchFigures } from "./figure/current.js";
 import { GearFigure } from "./figure/gear-figure.js";
 import { paintAll, painted } from "./figure/paint-queue.js";
 import { provide } from "./figure/services.js";
@@ -13,7 +14,7 @@ import { watchKeys } from "./shell/keys.js";
 import { problemWords, showNotice } from "./shell/notice.js";
 import { recall, remember } from "./shell/preferences.js";
 import { announcer } from "./shell/services.js";
-import { LANGUAGES, Store, THEMES, withPreset } from "./state.js";
+import { LANGUAGES, SHARED, Store, THEMES, withPreset } from "./state.js";
 import { startStory } from "./story/story.js";
 import { parse } from "./url.js";
 import { words as figureWords } from "./words/en/figure.js";
@@ -49,6 +50,8 @@ const services = engine.then((running) => {
     error: (/** @type {import("./figure/services.js").GearErrorFields} */ fields) => new GearError(fields),
     later: whenCalm,
     painted: countDrawing,
+    exports: (/** @type {GearFigure} */ figure, /** @type {HTMLElement} */ button) =>
+      void exporting().then((room) => room.open(figure, button), () => figure.tell(say("figure.no-export"), true)),
   };
 });
 services.catch(() => {});
@@ -122,16 +125,68 @@ function idle(work) {
   else setTimeout(work);
 }
 
+/** What can be named in an address. @param {import("./engine/client.js").Engine} running */
+function knownTo({ vocabulary }) {
+  return { vocabulary, isPlace: (/** @type {string} */ id) => document.querySelector(`main [id="${CSS.escape(id)}"]`) !== null };
+}
+
 /** @param {import("./engine/client.js").Engine} running */
-function readAddress({ vocabulary }) {
-  const known = { vocabulary, isPlace: (/** @type {string} */ id) => document.querySelector(`main [id="${CSS.escape(id)}"]`) !== null };
-  const place = element(".link-notice");
+function readAddress(running) {
+  const known = knownTo(running);
   const { state, problems } = parse(location.hash.slice(1), known);
   store.update({ ...state, at: state.at ?? null });
-  const tell = (/** @type {readonly import("./url.js").Problem[]} */ of) => showNotice(place, problemWords(of));
+  const tell = (/** @type {readonly import("./url.js").Problem[]} */ of) => notice(problemWords(of));
   if (problems.length > 0) tell(problems);
   followAddress(store, known, tell);
 }
+
+/** Says something at the top of the page. @param {string} words */
+function notice(words) {
+  showNotice(element(".link-notice"), words);
+}
+
+/** @type {Promise<import("./exports/room.js").Room> | null} */
+let exportRoom = null;
+
+/** Takes figures away and opens what was saved: fetched when it is first wanted. */
+function exporting() {
+  exportRoom ??= Promise.all([import("./exports/room.js"), engine, services]).then(([{ startExports }, running]) => {
+    const room = startExports({
+      engine: running,
+      home: location.href.split(/[?#]/)[0].replace(/[^/]*$/, ""),
+      saving,
+      page: {
+        store,
+        known: () => knownTo(running),
+        tell: (sentence, problems) => notice([sentence, problemWords(problems)].filter(Boolean).join(" ")),
+      },
+    });
+    actions.register(...room.actions(currentFigure));
+    return room;
+  });
+  // It may come at the next try.
+  exportRoom.catch(() => (exportRoom = null));
+  return exportRoom;
+}
+
+/** @param {Iterable<File>} files */
+function openFiles(files) {
+  exporting().then((room) => room.receive(files), () => notice(say("view.failed")));
+}
+
+/** Whether something is dragged that is a file, and for the page: what takes files itself is left to do so. @param {DragEvent} event */
+function bringsFile(event) {
+  const [target] = event.composedPath();
+  return event.dataTransfer?.types.includes("Files") === true && !(target instanceof HTMLInputElement);
+}
+addEventListener("dragover", (event) => {
+  if (bringsFile(event)) event.preventDefault();
+});
+addEventListener("drop", (event) => {
+  if (!bringsFile(event)) return;
+  event.preventDefault();
+  openFiles([...(event.dataTransfer?.files ?? [])]);
+});
 
 /** The rooms that are fetched when they are first entered. */
 const ROOMS = {
@@ -181,9 +236,7 @@ showView();
 addEventListener("pointerdown", () => store.hold(), { capture: true });
 for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => store.release(), { capture: true });
 
-// The first screen's chart moves the operating point, and its gears follow.
-store.share("fig-1", ["k0", "Omega"]);
-store.share("fig-T", ["m", "k", "zeta", "k0", "Omega"]);
+for (const [key, names] of Object.entries(SHARED)) store.share(key, names);
 
 // A link to a place of the story keeps what was changed, which following it would not.
 document.addEventListener("click", (event) => {
@@ -214,14 +267,20 @@ function registerActions() {
       remember({ singleKeys: on });
     },
   };
+  const opening = async (/** @type {"palette" | "settings" | "help"} */ name) => {
+    // What can be taken away is among the actions that the palette lists.
+    const [{ open }] = await Promise.all([import("./shell/tools.js"), name === "palette" ? exporting().catch(() => null) : null]);
+    open(name, { store, actions, singleKeys });
+  };
   const tools = /** @type {const} */ ([["palette", "Ctrl+K"], ["settings", "s"], ["help", "?"]]);
   actions.register(
     ...tools.map(([name, key]) => ({
       id: name,
       word: name,
       key,
-      run: () => void import("./shell/tools.js").then(({ open }) => open(name, { store, actions, singleKeys })),
+      run: () => void opening(name),
     })),
+    { id: "open", word: "open", key: "Ctrl+O", run: () => void exporting().then((room) => room.choose(), () => notice(say("view.failed"))) },
     { id: "theme", word: "theme.next", key: "t", run: () => store.act("act.theme", (state) => ({ ...state, theme: THEMES[(THEMES.indexOf(state.theme) + 1) % THEMES.length] })) },
     { id: "projector", word: "projector.toggle", key: "p", run: () => store.act("act.projector", (state) => ({ ...state, projector: !state.projector })) },
     ...LANGUAGES.map((name) => ({
@@ -294,6 +353,7 @@ function element(selector) {
 
 startStory(element('main > [data-view="story"]'), store, engine);
 watchPrinting(paintAll);
+watchFigures();
 provide(services);
 customElements.define("gear-figure", GearFigure);
 

@@ -51,6 +51,14 @@ export const LANGUAGES = Object.freeze(["en", "de"]);
 /** How many operating points can be pinned. */
 export const PINS = 2;
 
+/**
+ * Figures of the story that show the one operating point, and which of its parameters: the first screen's chart moves it,
+ * and its gears follow.
+ *
+ * @type {Readonly<Record<string, readonly string[]>>}
+ */
+export const SHARED = Object.freeze({ "fig-1": ["k0", "Omega"], "fig-T": ["m", "k", "zeta", "k0", "Omega"] });
+
 /** @type {Given} */
 const NOTHING = Object.freeze({});
 

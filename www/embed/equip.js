@@ -10,23 +10,38 @@ import { GearError, PRIORITY } from "../engine/client.js";
 import { provide } from "../figure/services.js";
 import { Store } from "../state.js";
 import { words as embedded } from "../words/en/embed.js";
-import { words as exported } from "../words/en/exports.js";
 import { words as figure } from "../words/en/figure.js";
 import { learn, say } from "../words/say.js";
 
+// At once: a figure says something before the engine does.
+learn(figure);
+learn(embedded);
+
 /**
  * @param {Promise<Engine>} starting
+ * @param {string | null} home  The folder of the site, as an address; null where there is none.
+ * @param {() => Promise<{startExports: typeof import("../exports/room.js").startExports, figureFile: typeof import("./save-figure.js").figureFile}>} exporting
  * @param {{theme?: ThemeChoice}} [options]
  */
-export function equip(starting, { theme = "auto" } = {}) {
-  learn(figure);
-  learn(exported);
-  learn(embedded);
+export function equip(starting, home, exporting, { theme = "auto" } = {}) {
   const store = new Store({ theme });
   const services = starting.then((engine) => {
     engine.complete();
+    /** @type {Promise<import("../exports/room.js").Room> | null} */
+    let room = null;
     return {
       engine,
+      exports: (/** @type {import("../figure/gear-figure.js").GearFigure} */ figure, /** @type {HTMLElement} */ button) => {
+        room ??= exporting().then((parts) => parts.startExports({ engine, home, page: null, saving: () => Promise.resolve(parts) }));
+        room.then(
+          (opened) => opened.open(figure, button),
+          () => {
+            // It may come at the next try.
+            room = null;
+            figure.tell(say("figure.no-export"), true);
+          },
+        );
+      },
       store,
       priority: PRIORITY,
       error: (/** @type {import("../figure/services.js").GearErrorFields} */ fields) => new GearError(fields),

@@ -7,5 +7,5 @@ import { paintAll } from "../figure/paint-queue.js";
 import { equip } from "./equip.js";
 
 watchPrinting(paintAll);
-equip(engine);
+equip(engine, document.querySelector('meta[name="gear-home"]')?.getAttribute("content") ?? null, () => import("./file-exports.js"));
 customElements.define("gear-figure", GearFigure);

@@ -42,7 +42,7 @@ addEventListener("message", (event) => {
 function equipOnce() {
   let awake = false;
   EmbeddedFigure.wake = () => {
-    if (!awake) equip(startEngine());
+    if (!awake) equip(startEngine(), new URL("../../", import.meta.url).href, () => import("./frame-exports.js"));
     awake = true;
   };
 }

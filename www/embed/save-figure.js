@@ -15,13 +15,15 @@ const PARTS = ["gear-style", "gear-wasm", "gear-module", "gear-worker", "gear-co
  * @property {string} description  What a still picture of it shows, in a sentence.
  * @property {string} svg  That picture.
  * @property {Readonly<Record<string, number | string>>} given  Parameters that differ from the figure's own, by name.
+ * @property {string | null} [home]  The folder of the site that it comes from, as an address.
+ * @property {import("../exports/colophon.js").Colophon} [colophon]  What it says of itself.
  */
 
 /**
  * @param {Saved} saved
  * @returns {Promise<Blob>} an HTML document; rejected where the site cannot be reached
  */
-export async function figureFile({ figure, title, description, svg, given }) {
+export async function figureFile({ figure, title, description, svg, given, home = null, colophon }) {
   const [width, height] = ["width", "height"].map((name) => svg.match(new RegExp(`<svg[^>]* ${name}="([\\d.]+)"`))?.[1] ?? "");
   /** @type {Record<string, string>} */
   const values = {
@@ -37,7 +39,9 @@ export async function figureFile({ figure, title, description, svg, given }) {
     if (name === "attributes") return attributes.join("");
     return values[name] === undefined ? hole : escaped(values[name]);
   });
-  return new Blob([file], { type: "text/html" });
+  const told = { ...(home !== null && { "gear-home": home }), ...(colophon && { source: colophon.link, date: colophon.saved, "gear-colophon": JSON.stringify(colophon) }) };
+  const metas = Object.entries(told).map(([name, content]) => `  <meta name="${name}" content="${escaped(content)}">\n`);
+  return new Blob([file.replace("  <title>", () => `${metas.join("")}  <title>`)], { type: "text/html" });
 }
 
 /** The file before the figure is named. */

@@ -142,6 +142,16 @@ export class Engine {
   }
 
   /**
+   * A computed figure as the text of an SVG picture.
+   *
+   * @param {Figure} figure
+   * @param {import("../../gear-bifurcations.js").SvgOptions} options
+   */
+  svg(figure, options) {
+    return this.#gear.svg(figure, undefined, this.words === null ? options : { ...options, words: this.words });
+  }
+
+  /**
    * A figure computed here and now, if it is made of formulas and takes a moment: it is then drawn in the very frame in
    * which its parameters changed. Null where that would hold up the page; nothing is known of errors then.
    *

@@ -29,10 +29,10 @@ export function wholeButton(press) {
 }
 
 /**
- * @param {{clock: Clock | null, turning: Turning | null, reset: () => void, stop: () => void}} wiring
+ * @param {{clock: Clock | null, turning: Turning | null, reset: () => void, stop: () => void, take: ((button: HTMLElement) => void) | null}} wiring
  * @returns {{buttons: HTMLButtonElement[], showPlaying: () => void, showBusy: (busy: boolean) => void}}
  */
-export function createButtons({ clock, turning, reset, stop }) {
+export function createButtons({ clock, turning, reset, stop, take }) {
   /** @type {HTMLButtonElement[]} */
   const buttons = [];
   let showPlaying = () => {};
@@ -66,5 +66,12 @@ export function createButtons({ clock, turning, reset, stop }) {
   const back = button(say("figure.reset"), say("figure.reset"), reset);
   back.classList.add("reset");
   buttons.push(back);
+  if (take !== null) {
+    const menu = button(say("figure.export"), say("figure.export"), () => take(menu));
+    menu.classList.add("take");
+    menu.setAttribute("aria-haspopup", "menu");
+    menu.setAttribute("aria-expanded", "false");
+    buttons.push(menu);
+  }
   return { buttons, showPlaying, showBusy };
 }

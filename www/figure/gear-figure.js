@@ -3,7 +3,7 @@
  * static drawing in its light DOM is shown in the very same place.
  *
  * Attributes: `figure`, parameters by name in any letter case, `controls="full|compact|none"`, `theme`, one of the module's
- * or `auto`. Methods: `data()`, `map()`, `reset()`, `play()`, `pause()`. Events, bubbling and composed: `gear-ready` when the
+ * or `auto`. Methods: `data()`, `map()`, `portrait()`, `tell()`, `reset()`, `play()`, `pause()`. Events, bubbling and composed: `gear-ready` when the
  * first complete figure is there, `gear-change` when one with other parameters is, `gear-error` with the error's fields,
  * `gear-pick` when a place of a plane is clicked or Enter pressed on a point, `gear-cursor` when a value is read off an axis;
  * and `gear-paint`, which does not bubble, after every drawing.
@@ -15,6 +15,7 @@
  * @typedef {import("./services.js").Given} Given
  * @typedef {import("./services.js").GearErrorFields} GearErrorFields
  * @typedef {import("../controls/panel.js").Panel} Panel
+ * @typedef {import("./services.js").Portrait} Portrait
  */
 
 import { createPanel } from "../controls/panel.js";
@@ -24,6 +25,7 @@ import { coarseDensity, density, onAppearance, resolveTheme, wantsStill } from "
 import { givenByAttributes } from "./attributes.js";
 import { createButtons, wholeButton } from "./bar.js";
 import { Computation } from "./computation.js";
+import { fieldsOf, unknownFigure } from "./errors.js";
 import { frameAt, pixelUnder } from "./frames.js";
 import { Legend, hiddenSeries } from "./legend.js";
 import { plain, sentence } from "./markup.js";
@@ -44,6 +46,8 @@ const NOTICEABLE = 400;
 const NARROWEST = 60;
 /** A live drawing that comes within this time needs no static one before it, ms. */
 const STATIC_AFTER = 600;
+/** How wide a picture is of a figure that has no place on the page at present, CSS pixels. */
+const USUAL_WIDTH = 720;
 /** How far out of sight a figure still counts as seen. */
 const MARGIN = "100px";
 
@@ -192,6 +196,43 @@ export class GearFigure extends HTMLElement {
     return this.#computation.answer;
   }
 
+  /**
+   * The complete figure, and how it is seen: all that a picture of it or a file needs.
+   *
+   * @returns {Promise<Portrait>} rejected as `data()` is
+   */
+  async portrait() {
+    const figure = await this.data();
+    const { clientWidth, clientHeight } = this.#parts.stage;
+    const placed = clientWidth >= NARROWEST;
+    const width = placed ? clientWidth : USUAL_WIDTH;
+    const height = placed ? clientHeight : Math.round(USUAL_WIDTH / (this.#info?.aspect ?? 1));
+    const shown = spokenFigure(figure);
+    return { key: this.#key, figure, shown, given: this.#given, state: this.#shown, view: this.#viewOf(shown), theme: this.#theme, width, height };
+  }
+
+  /**
+   * Says something about the figure beside it, until the reader goes on.
+   *
+   * @param {string} sentence
+   * @param {boolean} [wrong]
+   */
+  tell(sentence, wrong = false) {
+    const { status, heard } = this.#parts;
+    this.#say("", wrong);
+    // As it stands: a name of a file is no formula.
+    status.append(sentence);
+    status.classList.add("told");
+    if (this.hasAttribute("fit")) heard.textContent = sentence;
+    const life = new AbortController();
+    const over = () => {
+      life.abort();
+      status.classList.remove("told");
+      this.#say(this.#figure?.notes.join(" ") ?? "");
+    };
+    for (const act of ["pointerdown", "keydown"]) addEventListener(act, over, { capture: true, signal: life.signal });
+  }
+
   /** What is drawn at present, complete or not; null before the first. */
   get shown() {
     return this.#figure;
@@ -223,21 +264,15 @@ export class GearFigure extends HTMLElement {
   paint() {
     const { stage, canvas } = this.#parts;
     if (this.#figure === null || this.#services === null || stage.clientWidth < NARROWEST) return;
-    const theme = resolveTheme(this.getAttribute("theme"), this.#services.store.state);
-    const { windows, hidden } = this.#shown;
-    this.#hidden = hiddenSeries(this.#figure, hidden);
-    const view = {
-      ...this.#turning?.direction,
-      ...(this.#clock && { time: this.#clock.time }),
-      windows: sound(windows, this.#figure.axes),
-      hidden: [...this.#hidden],
-    };
+    const { hidden } = this.#shown;
+    const view = this.#viewOf(this.#figure);
+    this.#hidden = new Set(view.hidden);
     // While the page opens, what is out of sight need not be fine yet: that makes room for what is seen.
     this.#coarse = !this.#settled && !this.inSight && density() > coarseDensity();
     const pixels = this.#coarse ? coarseDensity() : density();
     fitStore(canvas, stage, pixels);
     try {
-      const { frames, looks } = this.#services.engine.draw(this.#figure, canvas, { theme, density: pixels, view });
+      const { frames, looks } = this.#services.engine.draw(this.#figure, canvas, { theme: this.#theme, density: pixels, view });
       this.#maps = frames;
       this.#legend.show(this.#figure, looks, hidden);
     } catch (thrown) {
@@ -383,6 +418,7 @@ export class GearFigure extends HTMLElement {
       turning: this.#turning,
       reset: () => this.reset(),
       stop: () => this.#stop(),
+      take: this.#offersFiles ? (button) => this.#services?.exports?.(this, button) : null,
     });
     this.#showPlaying = made.showPlaying;
     this.#showBusy = made.showBusy;
@@ -409,6 +445,12 @@ export class GearFigure extends HTMLElement {
     this.#parts.controls.replaceChildren(this.#panel.element);
   }
 
+  /** Whether there is a menu to take the figure away: beside full controls, and in the laboratory. */
+  get #offersFiles() {
+    const full = (this.getAttribute("controls") ?? "full") === "full" || this.hasAttribute("fit");
+    return full && this.#services?.exports !== undefined;
+  }
+
   /** The heading that stands over the figure. */
   get #title() {
     return this.closest("figure")?.querySelector("h2, h3, h4, h5")?.textContent?.trim() ?? null;
@@ -417,6 +459,21 @@ export class GearFigure extends HTMLElement {
   /** What of the figure is seen. */
   get #shown() {
     return this.#services?.store.shown(this.#key) ?? UNCHANGED;
+  }
+
+  /** The same, and from where and when, as the module draws it. @param {Figure} figure */
+  #viewOf(figure) {
+    const { windows, hidden } = this.#shown;
+    return {
+      ...this.#turning?.direction,
+      ...(this.#clock && { time: this.#clock.time }),
+      windows: sound(windows, figure.axes),
+      hidden: [...hiddenSeries(figure, hidden)],
+    };
+  }
+
+  get #theme() {
+    return resolveTheme(this.getAttribute("theme"), this.#services?.store.state ?? { theme: "auto", projector: false });
   }
 
   /** @param {import("./turning.js").Direction | null} view */
@@ -614,30 +671,6 @@ function fitStore(canvas, stage, pixels) {
   const height = Math.round(stage.clientHeight * pixels);
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
-}
-
-/**
- * @param {string} id
- * @param {Iterable<string>} known
- * @returns {GearErrorFields}
- */
-function unknownFigure(id, known) {
-  const allowed = [...known].join(", ");
-  const message = `There is no figure “${id}”; there are ${allowed}.`;
-  return { code: "unknown-figure", parameter: null, given: id, allowed, message };
-}
-
-/**
- * @param {unknown} thrown
- * @returns {GearErrorFields}
- */
-function fieldsOf(thrown) {
-  if (thrown instanceof Error && "code" in thrown && "parameter" in thrown) {
-    const { code, parameter, given, allowed, message } = /** @type {Error & GearErrorFields} */ (thrown);
-    return { code, parameter, given, allowed, message };
-  }
-  const message = thrown instanceof Error ? thrown.message : String(thrown);
-  return { code: "internal", parameter: null, given: null, allowed: null, message };
 }
 
 /**

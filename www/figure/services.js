@@ -51,12 +51,26 @@
  */
 
 /**
+ * @typedef {object} Portrait  A complete figure, and how it is seen.
+ * @property {string} key  Its name in the page's state.
+ * @property {Figure} figure  As it was computed.
+ * @property {Figure} shown  In the language of the page.
+ * @property {Given} given  Parameters that were given, by name.
+ * @property {Readonly<FigureState>} state
+ * @property {import("../engine/gear-bifurcations.js").ViewOptions} view
+ * @property {import("../engine/gear-bifurcations.js").ThemeName} theme
+ * @property {number} width  Of its picture, CSS pixels.
+ * @property {number} height
+ */
+
+/**
  * @typedef {object} Services
  * @property {Engine} engine
  * @property {Store} store
  * @property {{shown: number, hidden: number}} priority
  * @property {(fields: GearErrorFields) => Error & GearErrorFields} error  Makes the error that `data()` rejects with.
  * @property {(work: () => void) => void} later  Does what can wait until figures are drawn.
+ * @property {(figure: import("./gear-figure.js").GearFigure, button: HTMLElement) => void} [exports]  Opens the menu by which a figure is taken away.
  * @property {(element: HTMLElement) => void} painted  Called when a figure's first live drawing is on its canvas.
  */
 

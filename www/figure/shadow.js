@@ -128,7 +128,7 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 :host([fit]) .buttons { flex-wrap: nowrap; }
 :host([fit]) .buttons button.reset, :host([fit]) .data:not([open]) { display: none; }
 :host([fit]) .status:not(.wrong) { display: none; }
-:host([fit]) .status.wrong { position: absolute; inset-block-start: 100%; inset-inline: 0; background: var(--ground, #fff); }
+:host([fit]) .status:is(.wrong, .told) { display: block; position: absolute; inset-block-start: 100%; inset-inline: 0; background: var(--ground, #fff); z-index: 1; }
 @media (forced-colors: active) {
   .upright, .level, .linked, .band { border-color: CanvasText; opacity: 1; }
   .linked { border-style: dashed; }

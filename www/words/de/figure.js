@@ -35,6 +35,8 @@ export const words = {
   "figure.replaced": "Der Arbeiter, der diese Abbildung berechnete, fiel aus; ein anderer hat übernommen.",
   "figure.in-words": "In Worten und Zahlen",
   "figure.chart": "Diagramm",
+  "figure.export": "Export",
+  "figure.no-export": "Was Abbildungen speichert, konnte nicht geladen werden; noch einmal versuchen.",
   "figure.whole": "Alles zeigen",
   "figure.keys": "Pfeiltasten führen an den Kurven entlang, auf und ab zu einer anderen Kurve, die Eingabetaste wählt einen Punkt; Plus und Minus vergrößern und verkleinern, 0 zeigt alles, Pfeile mit Umschalttaste verschieben; Escape endet.",
   "figure.keys.turn": "Pfeiltasten drehen die räumliche Ansicht. Die Eingabetaste beginnt einen Gang an den Kurven entlang, Pfeiltasten führen weiter, Escape endet. Plus und Minus vergrößern und verkleinern eine Ebene, 0 zeigt alles, Pfeile mit Umschalttaste verschieben.",

@@ -33,6 +33,7 @@ export const words = {
   "undo.done": "Rückgängig gemacht: {what}",
   "redo.done": "Wiederholt: {what}",
   "redo.what": "Wiederholen: {what}",
+  open: "Eine gespeicherte Abbildung öffnen",
   palette: "Alle Aktionen",
   settings: "Einstellungen",
   help: "Hilfe und Tasten",

@@ -35,6 +35,8 @@ export const words = {
   "figure.replaced": "The worker that computed this figure stopped; another has taken over.",
   "figure.in-words": "In words and numbers",
   "figure.chart": "chart",
+  "figure.export": "Export",
+  "figure.no-export": "What saves figures could not be loaded; try again.",
   "figure.whole": "Show all",
   "figure.keys": "Arrow keys walk along the curves, up and down change the curve, Enter picks a point; plus and minus zoom, 0 shows all, arrows with Shift pan; Escape leaves.",
   "figure.keys.turn": "Arrow keys turn the view in space. Enter begins a walk along the curves, arrow keys lead on, Escape ends it. Plus and minus zoom a plane, 0 shows all, arrows with Shift pan.",

@@ -29,6 +29,7 @@ export const words = {
   "redo.done": "Done again: {what}",
   "redo.what": "Redo: {what}",
   palette: "All actions",
+  open: "Open a saved figure",
   settings: "Settings",
   help: "Help and keys",
   "preset.figure": "Figure {figure}",

@@ -95,7 +95,7 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
             continue;
         }
         if Path::new(&name).extension().is_some_and(|ending| ending == "js") {
-            modules.insert(path, std::fs::read_to_string(&from).map_err(Failure::file(&from))?);
+            modules.insert(path, stamp.put_into(&document(&from)?));
         } else {
             site.copy(&from, &path)?;
         }
