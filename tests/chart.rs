@@ -371,7 +371,7 @@ fn what_is_no_number_is_refused_before_anything_is_drawn() {
         assert!(matches!(answer, Err(ChartError::NotFinite { .. })), "{answer:?}");
         assert!(recorder.calls.is_empty());
     }
-    let turned = View { azimuth: f64::NAN, elevation: 0.0 };
+    let turned = View { azimuth: f64::NAN, ..View::default() };
     assert!(draw(&mut Recorder::new(500.0, 400.0, 100), &pitchforks(), &light(), &turned).is_err());
 }
 
@@ -435,7 +435,7 @@ fn turning_the_view_moves_what_is_in_space_alone() {
     let drawing = pitchforks();
     let maps = |azimuth: f64| {
         let mut recorder = Recorder::new(900.0, 660.0, 100);
-        draw(&mut recorder, &drawing, &light(), &View { azimuth, elevation: 0.4 }).unwrap()
+        draw(&mut recorder, &drawing, &light(), &View { azimuth, elevation: 0.4, ..View::default() }).unwrap()
     };
     let (one, other) = (maps(0.3), maps(0.9));
     assert_eq!(one[0], other[0]);

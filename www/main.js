@@ -134,10 +134,14 @@ function knownTo({ vocabulary }) {
 function readAddress(running) {
   const known = knownTo(running);
   const { state, problems } = parse(location.hash.slice(1), known);
+  // What the reader has done meanwhile counts for more than what the page was opened with.
+  const { view, at, theme, projector, language } = store.state;
+  const early = store.undoable ? { ...store.state, ...state, view, at, theme, projector, language } : null;
   store.update({ ...state, at: state.at ?? null });
   const tell = (/** @type {readonly import("./url.js").Problem[]} */ of) => notice(problemWords(of));
   if (problems.length > 0) tell(problems);
   followAddress(store, known, tell);
+  if (early !== null) store.restart(early);
 }
 
 /** Says something at the top of the page. @param {string} words */

@@ -39,6 +39,12 @@ impl Bar {
         Self { low: axis.low, high: axis.high, ticks, label: set(&axis.label, label, Face::Regular), numbers }
     }
 
+    /// The same with another sign before the decimals of its numbers.
+    #[must_use]
+    pub fn written_with(self, decimal: char) -> Self {
+        Self { ticks: self.ticks.written_with(decimal), ..self }
+    }
+
     /// How much room it takes beside the plot, CSS pixels.
     pub fn room(&self) -> f64 {
         GAP + WIDTH + TICK + TICK_GAP + self.numbers + LABEL_GAP + self.label.height()

@@ -54,7 +54,8 @@ pub fn draw<S: Surface>(
     painter.begin()?;
     painter.rectangle(&Rect { left: 0.0, top: 0.0, right: width, bottom: height }, theme.ground, 1.0)?;
     let mut maps = Vec::with_capacity(drawing.frames.len());
-    for (index, panel) in panels(drawing, width, height, theme.letters).iter().enumerate() {
+    for (index, panel) in panels(drawing, width, height, theme.letters).into_iter().enumerate() {
+        let panel = &panel.written_with(view.decimal);
         let own: Vec<&Series> = drawing.series.iter().filter(|series| series.frame == index).collect();
         maps.push(draw_frame(&mut painter, drawing, index, panel, &own, theme, view)?);
     }
@@ -102,7 +103,7 @@ fn draw_frame<S: Surface>(
         bare: frame.bare,
     };
     let anchors = if let Some(projection) = &solid {
-        draw_box(painter, frame, panel, projection, theme)?;
+        draw_box(painter, frame, panel, projection, theme, view.decimal)?;
         draw_solid(painter, own, projection, &context, &mut crowd)?
     } else {
         draw_axes(painter, frame, panel, theme)?;

@@ -90,6 +90,17 @@ pub struct Panel {
 }
 
 impl Panel {
+    /// The same with another sign before the decimals of its numbers.
+    #[must_use]
+    pub fn written_with(self, decimal: char) -> Self {
+        Self {
+            x_ticks: self.x_ticks.written_with(decimal),
+            y_ticks: self.y_ticks.written_with(decimal),
+            bar: self.bar.map(|bar| bar.written_with(decimal)),
+            ..self
+        }
+    }
+
     /// The map from data to pixels of a plane frame.
     pub fn map(&self, frame: &Frame) -> PlaneMap {
         PlaneMap { plot: self.plot, x: (frame.x.low, frame.x.high), y: (frame.y.low, frame.y.high) }
@@ -135,9 +146,10 @@ fn arrange(drawing: &Drawing, width: f64, height: f64, letters: f64) -> Arrangem
     let strain = |arrangement: &Arrangement| {
         let (cell_width, cell_height) =
             (width / arrangement.grid.0 as f64, height / arrangement.grid.1 as f64);
-        let forms = arrangement.places.iter().map(|place| {
+        let forms = arrangement.places.iter().zip(&drawing.frames).map(|(place, frame)| {
             let form = cell_width * place[2] as f64 / (cell_height * place[3] as f64);
-            (form / PLEASANT).ln().abs()
+            // What has one scale for both axes grows no larger than its cell is high.
+            (form / if frame.equal_aspect { 1.0 } else { PLEASANT }).ln().abs()
         });
         forms.sum::<f64>() / arrangement.places.len() as f64 + (narrow / cell_width).ln().max(0.0)
     };

@@ -122,6 +122,7 @@ pub fn draw_box<S: Surface>(
     panel: &Panel,
     projection: &Projection,
     theme: &Theme,
+    decimal: char,
 ) -> Result<(), ChartError> {
     super::axes::draw_title(painter, panel, theme)?;
     let Some(third) = &frame.z else { return Ok(()) };
@@ -131,7 +132,7 @@ pub fn draw_box<S: Surface>(
         // Numbers need their width along a level axis, their height along an upright one.
         let size = panel.sizes.tick;
         let room = ((to[0] - from[0]) / (3.6 * size)).hypot((to[1] - from[1]) / (2.2 * size));
-        ticks(axes[i].low, axes[i].high, (room as usize).clamp(2, 6))
+        ticks(axes[i].low, axes[i].high, (room as usize).clamp(2, 6)).written_with(decimal)
     });
     draw_walls(painter, projection, &found, theme)?;
     let mut taken: Vec<Rect> = Vec::new();
@@ -240,7 +241,7 @@ mod tests {
 
     fn seen(azimuth: f64, elevation: f64) -> Projection {
         let (x, y, z) = (axis(-1.0, 3.0), axis(0.0, 10.0), axis(-2.0, 2.0));
-        Projection::new([&x, &y, &z], &PLOT, 12.0, &View { azimuth, elevation })
+        Projection::new([&x, &y, &z], &PLOT, 12.0, &View { azimuth, elevation, ..View::default() })
     }
 
     #[test]

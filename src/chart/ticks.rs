@@ -11,6 +11,19 @@ pub struct Ticks {
     pub exponent: i32,
 }
 
+impl Ticks {
+    /// The same with another sign before the decimals. A comma is as wide as a point, so that places stay.
+    #[must_use]
+    pub fn written_with(mut self, decimal: char) -> Self {
+        if decimal != '.' {
+            for label in &mut self.labels {
+                *label = label.replace('.', decimal.encode_utf8(&mut [0; 4]));
+            }
+        }
+        self
+    }
+}
+
 /// Round steps within a decade.
 const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 
@@ -115,6 +128,12 @@ mod tests {
             }
             assert!(found.labels.windows(2).all(|pair| pair[0] != pair[1]));
         }
+    }
+
+    #[test]
+    fn the_decimal_sign_is_the_readers() {
+        assert_eq!(ticks(-0.5, 0.5, 3).written_with(',').labels, ["\u{2212}0,5", "0,0", "0,5"]);
+        assert_eq!(ticks(0.0, 1.0, 5).written_with('.'), ticks(0.0, 1.0, 5));
     }
 
     #[test]

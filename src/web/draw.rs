@@ -189,13 +189,26 @@ fn on_paper(options: &Options) -> Result<bool, WebError> {
     }
 }
 
+/// The sign before the decimals of numbers along axes.
+fn decimal(view: &Options) -> Result<char, WebError> {
+    const SIGNS: &str = "a point, a comma";
+    match view.word("decimal", SIGNS)?.as_deref() {
+        None | Some(".") => Ok('.'),
+        Some(",") => Ok(','),
+        Some(other) => {
+            Err(WebError::option("decimal", Given::Text(other.into()), Allowed::Text(SIGNS.into())))
+        }
+    }
+}
+
 fn shown(options: &Options) -> Result<Shown, WebError> {
-    let given = options.nested("view", &["azimuth", "elevation", "time", "windows", "hidden"])?;
+    let given = options.nested("view", &["azimuth", "elevation", "time", "windows", "hidden", "decimal"])?;
     let start = View::default();
     let right_angle = std::f64::consts::FRAC_PI_2;
     let view = View {
         azimuth: given.number("azimuth", (-1e3, 1e3), start.azimuth)?,
         elevation: given.number("elevation", (-right_angle, right_angle), start.elevation)?,
+        decimal: decimal(&given)?,
     };
     let time = given.number("time", (0.0, 1e9), -1.0)?;
     let windows = given

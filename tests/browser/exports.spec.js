@@ -3,7 +3,7 @@
 import AxeBuilder from "@axe-core/playwright";
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { marked, open, test, expect } from "./page.js";
+import { marked, test, expect } from "./page.js";
 
 /** @typedef {import("@playwright/test").Page} Page */
 /** @typedef {import("@playwright/test").Locator} Locator */
@@ -92,11 +92,12 @@ test("from opening the page to a drawing on the disk, by keys alone", async ({ p
 
 test("every entry of the menu gives what it says", async ({ page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  await open(page, "./?test#story&v=1&2.k0=0.4&2.window.determinant=-0.2..0.2,-100..100");
+  await page.goto("./?test#story&v=1&2.k0=0.4&2.window.determinant=-0.2..0.2,-100..100");
   const figure = page.locator("#fig-2");
   const status = figure.locator(".status");
   const pasted = () => page.evaluate(() => navigator.clipboard.readText());
 
+  await figure.scrollIntoViewIfNeeded();
   await figure.getByRole("button", { name: "Export" }).click();
   const { violations } = await new AxeBuilder({ page }).include("#fig-2").analyze();
   expect(violations.map(({ id }) => id)).toEqual([]);

@@ -3,7 +3,7 @@
 //! What a part imports when it runs is one thing; what it says about types in a JSDoc comment is another, and free.
 
 /// The parts of `www/`, each with the parts whose modules it may import when it runs.
-const ARROWS: [(&str, &[&str]); 13] = [
+const ARROWS: [(&str, &[&str]); 14] = [
     (
         "main",
         &[
@@ -25,15 +25,16 @@ const ARROWS: [(&str, &[&str]); 13] = [
     ("state", &["state"]),
     ("engine", &["engine", "module"]),
     ("words", &["words"]),
-    ("figure", &["figure", "controls", "words"]),
+    ("style", &["style"]),
+    ("figure", &["figure", "controls", "style", "words"]),
     ("controls", &["controls", "figure", "words"]),
-    ("shell", &["shell", "state", "words"]),
+    ("shell", &["shell", "state", "style", "words"]),
     ("story", &["story", "state", "words"]),
-    ("exports", &["exports", "state", "figure", "words"]),
-    ("lab", &["lab", "state", "figure", "controls", "exports", "words"]),
-    ("classroom", &["classroom", "state", "figure", "controls", "exports", "words"]),
+    ("exports", &["exports", "state", "figure", "style", "words"]),
+    ("lab", &["lab", "state", "figure", "controls", "exports", "style", "words"]),
+    ("classroom", &["classroom", "state", "figure", "controls", "exports", "style", "words"]),
     ("offline", &["offline", "words"]),
-    ("embed", &["embed", "state", "engine", "figure", "controls", "exports", "words"]),
+    ("embed", &["embed", "state", "engine", "figure", "controls", "exports", "style", "words"]),
 ];
 
 /// Everything in the page's sources that goes against the arrows, a line each.

@@ -14,7 +14,8 @@ import { Answers } from "./answers.js";
 import { readLesson } from "./lesson.js";
 import { LESSONS } from "./lessons/index.js";
 import { Player } from "./player.js";
-import { adoptStyle } from "./style.js";
+import { adopt } from "../style/adopt.js";
+import { STYLE } from "./style.js";
 import { setOf, wordsOf } from "./texts.js";
 
 learn(words);
@@ -27,7 +28,7 @@ const LARGEST = 1_000_000;
  * @param {RoomServices} services
  */
 export function start(host, services) {
-  adoptStyle();
+  adopt(STYLE);
   new Classroom(host, services);
 }
 

@@ -115,11 +115,15 @@ export class Player {
     const present = new Map([...this.#charts.children].map((child) => [/** @type {HTMLElement} */ (child).dataset.figure, child]));
     const wanted = ids.map((id) => {
       const kept = present.get(id);
-      if (kept !== undefined && language() === this.#language) return kept;
+      if (kept !== undefined && language() === this.#language) {
+        kept.querySelector("gear-figure")?.toggleAttribute("veiled", !open);
+        return kept;
+      }
       const figure = document.createElement("gear-figure");
       figure.id = `class-${id}`;
       figure.setAttribute("figure", id);
       figure.setAttribute("controls", "none");
+      figure.toggleAttribute("veiled", !open);
       store.share(figure.id, parametersOf(engine, id));
       const heading = element("h3", "", ...elements(inLanguage(engine.figures.get(id)?.title ?? "")).childNodes);
       heading.id = `class-${id}-name`;

@@ -1,6 +1,6 @@
 /** How the classroom looks. Colours come from the page's custom properties. */
 
-const STYLE = `
+export const STYLE = `
 .classroom { max-inline-size: 90rem; margin-inline: auto; padding-block: 1rem 4rem; }
 .classroom .top { display: flex; flex-wrap: wrap; justify-content: space-between; align-items: baseline; gap: 0.5rem 2rem; }
 .classroom h1 { margin-block: 0.5rem; }
@@ -49,13 +49,3 @@ const STYLE = `
 @media (pointer: coarse) { .classroom .control input, .classroom fieldset label { min-block-size: 2.75rem; } }
 @media print { .classroom :is(.buttons, .open, form .buttons) { display: none; } }
 `;
-
-let adopted = false;
-
-export function adoptStyle() {
-  if (adopted) return;
-  adopted = true;
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(STYLE);
-  document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
-}

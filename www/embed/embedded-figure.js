@@ -5,6 +5,7 @@
  */
 
 import { GearFigure } from "../figure/gear-figure.js";
+import { adopt } from "../style/adopt.js";
 
 /** How near the screen a figure must come before anything of it is loaded. */
 const NEAR = "600px";
@@ -32,9 +33,6 @@ const STYLE = `
 }
 `;
 
-/** @type {CSSStyleSheet | null} */
-let sheet = null;
-
 export class EmbeddedFigure extends GearFigure {
   /** Starts what all figures share; called when the first of them comes near. */
   static wake = () => {};
@@ -45,11 +43,7 @@ export class EmbeddedFigure extends GearFigure {
 
   constructor() {
     super();
-    if (sheet === null) {
-      sheet = new CSSStyleSheet();
-      sheet.replaceSync(STYLE);
-    }
-    this.shadowRoot?.adoptedStyleSheets.push(sheet);
+    if (this.shadowRoot !== null) adopt(STYLE, this.shadowRoot);
     this.addEventListener("gear-error", () => this.#showStill());
   }
 

@@ -182,6 +182,28 @@ export class Engine {
   }
 
   /**
+   * A figure computed here and now as far as it comes within a time, for where nothing can be waited for, such as paper.
+   *
+   * @param {string} id
+   * @param {Given} given
+   * @param {number} time  Milliseconds.
+   * @returns {{figure: Figure, done: boolean} | null} null where it comes to nothing
+   */
+  within(id, given, time) {
+    const begin = performance.now();
+    let last = null;
+    try {
+      for (const step of this.#gear.progress(id, given)) {
+        last = step;
+        if (performance.now() - begin > time) break;
+      }
+    } catch {
+      // What cannot be is said by the worker, as for every figure.
+    }
+    return last;
+  }
+
+  /**
    * What closed formulas say of equal supports; null where they say nothing.
    *
    * @param {Given} given

@@ -742,6 +742,8 @@ export interface ViewOptions {
   elevation?: number;
   /** Time of an animated figure's motion, 0 to 1e9. */
   time?: number;
+  /** The sign before the decimals of numbers along axes, default a point. */
+  decimal?: "." | ",";
   /** Parts of the axes instead of the whole, by the frame's name; ticks, labels and fields are made anew for them. */
   windows?: Record<string, Window>;
   /** Names of series that are not drawn. */

@@ -4,6 +4,7 @@
  * style of a strange page does not reach them.
  */
 
+import { adopt } from "../style/adopt.js";
 import { say } from "../words/say.js";
 
 const STYLE = `
@@ -24,9 +25,6 @@ dialog.export.content::backdrop { background: #000; opacity: 0.4; }
 @media print { dialog.export { display: none; } }
 `;
 
-/** @type {CSSStyleSheet | null} */
-let sheet = null;
-
 /**
  * A dialog in a figure, closed by Escape and by a click beside it.
  *
@@ -35,11 +33,7 @@ let sheet = null;
  * @returns {HTMLDialogElement}
  */
 function dialogIn(root, label) {
-  if (sheet === null) {
-    sheet = new CSSStyleSheet();
-    sheet.replaceSync(STYLE);
-  }
-  if (!root.adoptedStyleSheets.includes(sheet)) root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
+  adopt(STYLE, root);
   const dialog = document.createElement("dialog");
   dialog.className = "export";
   dialog.setAttribute("aria-label", label);

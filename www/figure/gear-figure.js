@@ -3,7 +3,7 @@
  * static drawing in its light DOM is shown in the very same place.
  *
  * Attributes: `figure`, parameters by name in any letter case, `controls="full|compact|none"`, `theme`, one of the module's
- * or `auto`. Methods: `data()`, `map()`, `portrait()`, `tell()`, `reset()`, `play()`, `pause()`. Events, bubbling and composed: `gear-ready` when the
+ * or `auto`; on the page itself `fit`, as large as its place, and `veiled`, without what answers a question. Methods: `data()`, `map()`, `portrait()`, `tell()`, `reset()`, `play()`, `pause()`. Events, bubbling and composed: `gear-ready` when the
  * first complete figure is there, `gear-change` when one with other parameters is, `gear-error` with the error's fields,
  * `gear-pick` when a place of a plane is clicked or Enter pressed on a point, `gear-cursor` when a value is read off an axis;
  * and `gear-paint`, which does not bubble, after every drawing.
@@ -20,7 +20,7 @@
 
 import { createPanel } from "../controls/panel.js";
 import { spoken, spokenFigure } from "../words/engine.js";
-import { onLanguage, say } from "../words/say.js";
+import { decimalSign, onLanguage, say } from "../words/say.js";
 import { coarseDensity, density, onAppearance, resolveTheme, wantsStill } from "./appearance.js";
 import { givenByAttributes } from "./attributes.js";
 import { createButtons, wholeButton } from "./bar.js";
@@ -30,6 +30,7 @@ import { frameAt, pixelUnder } from "./frames.js";
 import { Legend, hiddenSeries } from "./legend.js";
 import { plain, sentence } from "./markup.js";
 import { Clock } from "./motion.js";
+import { PATIENCE, hurry, paperWords } from "./paper.js";
 import { forgetPaint, requestPaint } from "./paint-queue.js";
 import { Reach } from "./reach.js";
 import { showRows } from "./rows.js";
@@ -38,6 +39,7 @@ import { furnish } from "./shadow.js";
 import { showTables } from "./table.js";
 import { inTurn, isHeldBack } from "./turn.js";
 import { FIRST, Turning } from "./turning.js";
+import { veiled } from "./veil.js";
 import { sound } from "./windows.js";
 
 /** What takes longer than this says that it is being computed, ms. */
@@ -148,9 +150,11 @@ export class GearFigure extends HTMLElement {
     size.observe(this.#parts.stage);
     const attributes = new MutationObserver((changes) => {
       if (changes.some(({ attributeName }) => attributeName === "figure")) this.#beginAnew();
+      else if (changes.every(({ attributeName }) => attributeName === "veiled")) this.#translate();
       else this.#readAttributes();
     });
     attributes.observe(this, { attributes: true });
+    addEventListener("beforeprint", () => this.#prepareForPaper(), { signal });
     signal.addEventListener("abort", this.#reach.link(this));
     signal.addEventListener("abort", () => {
       sight.disconnect();
@@ -272,7 +276,7 @@ export class GearFigure extends HTMLElement {
     const pixels = this.#coarse ? coarseDensity() : density();
     fitStore(canvas, stage, pixels);
     try {
-      const { frames, looks } = this.#services.engine.draw(this.#figure, canvas, { theme: this.#theme, density: pixels, view });
+      const { frames, looks } = this.#services.engine.draw(this.#figure, canvas, { theme: this.#theme, density: pixels, view: { ...view, decimal: decimalSign() } });
       this.#maps = frames;
       this.#legend.show(this.#figure, looks, hidden);
     } catch (thrown) {
@@ -313,9 +317,29 @@ export class GearFigure extends HTMLElement {
     if (picture.complete && picture.naturalWidth > 0) return;
     if (address === null || this.#parts.stage.classList.contains("live")) return;
     picture.removeAttribute("src");
-    setTimeout(() => {
+    const show = () => {
       if (!this.#parts.stage.classList.contains("live")) picture.setAttribute("src", address);
-    }, STATIC_AFTER);
+    };
+    setTimeout(show, STATIC_AFTER);
+    addEventListener("beforeprint", show, { once: true });
+  }
+
+  /** What is not computed yet is computed now as far as it comes; what is not all of it says so. */
+  #prepareForPaper() {
+    if (this.clientWidth === 0) return;
+    let whole = this.#figure !== null && this.#computation?.busy === false;
+    if (!whole && this.#info !== null) {
+      const found = this.#services?.engine.within(this.#info.id, this.#given, PATIENCE) ?? null;
+      if (found !== null) {
+        whole = found.done;
+        this.#show(found.figure, false);
+        forgetPaint(this);
+        this.paint();
+      }
+    }
+    const live = this.#parts.stage.classList.contains("live");
+    if (!live) hurry(this.querySelector("img"));
+    this.#parts.printed.textContent = paperWords(this.#given, this.#info, !live ? "still" : whole ? "whole" : "part");
   }
 
   #beginAnew() {
@@ -451,6 +475,12 @@ export class GearFigure extends HTMLElement {
     return full && this.#services?.exports !== undefined;
   }
 
+  /** A figure in the language of the page; while it is veiled, without what answers a question. @param {Figure} figure */
+  #told(figure) {
+    const told = spokenFigure(figure);
+    return this.hasAttribute("veiled") ? veiled(told) : told;
+  }
+
   /** The heading that stands over the figure. */
   get #title() {
     return this.closest("figure")?.querySelector("h2, h3, h4, h5")?.textContent?.trim() ?? null;
@@ -541,7 +571,7 @@ export class GearFigure extends HTMLElement {
   #show(figure, complete) {
     const first = this.#figure === null;
     this.#computed = figure;
-    figure = spokenFigure(figure);
+    figure = this.#told(figure);
     this.#figure = figure;
     if (this.#clock) this.#clock.motion = figure.motion;
     if (figure.table !== null) showRows(this.#parts.rows, figure);
@@ -612,7 +642,7 @@ export class GearFigure extends HTMLElement {
       this.#buildPanel();
     }
     if (this.#computed === null) return;
-    this.#figure = spokenFigure(this.#computed);
+    this.#figure = this.#told(this.#computed);
     if (this.#figure.table !== null) {
       this.#parts.rows.replaceChildren();
       showRows(this.#parts.rows, this.#figure);

@@ -6,6 +6,7 @@
  * @property {HTMLCanvasElement} canvas
  * @property {HTMLElement} layer  Over the picture: crosshair and cursors.
  * @property {HTMLElement} band  Over the picture: the rectangle that is being drawn.
+ * @property {HTMLElement} printed  For paper alone.
  * @property {HTMLElement} described  For the ear: the sentence that says what the picture shows.
  * @property {HTMLElement} keys  For the ear: what keys do.
  * @property {HTMLElement} legend
@@ -18,6 +19,7 @@
  * @property {HTMLDetailsElement} data
  */
 
+import { adopt } from "../style/adopt.js";
 import { say } from "../words/say.js";
 
 const STYLE = `
@@ -39,7 +41,7 @@ const STYLE = `
 .band { border: 1px solid var(--accent, #0072b2); background: color-mix(in srgb, var(--accent, #0072b2) 12%, transparent); }
 .legend { display: flex; gap: 0.125rem 0.25rem; min-block-size: 2rem; overflow-x: auto; scrollbar-width: thin; margin-inline: -0.4rem; }
 .legend:empty { visibility: hidden; }
-:host([controls="none"]) .legend { display: none; }
+:host([controls="none"]:not([fit])) .legend { display: none; }
 button.entry { display: inline-flex; flex: none; align-items: center; gap: 0.35rem; font-size: 0.875rem; text-decoration: none; padding: 0 0.4rem; min-block-size: 1.75rem; }
 .entry[aria-pressed="false"] { color: var(--quiet, #555); text-decoration: line-through; }
 .entry[aria-pressed="false"] > svg { opacity: 0.35; }
@@ -102,6 +104,9 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 @container (inline-size < 30rem) {
   .stage { aspect-ratio: var(--narrow-aspect, var(--aspect, 1.7)); }
 }
+@container (inline-size < 34rem) {
+  :host([fit]) .legend { display: none; }
+}
 @container (inline-size >= 34rem) {
   .bar > .status { grid-area: 1 / 1; align-self: center; }
   .bar > .readout:not(:empty) ~ .status { visibility: hidden; }
@@ -122,7 +127,9 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 }
 :host([fit]) { display: grid !important; grid-template-rows: minmax(0, 1fr) auto; position: relative; }
 :host([fit]) .stage { aspect-ratio: auto; min-block-size: 0; margin-inline: var(--inset-start, 0) var(--inset-end, 0); }
-:host([fit]) :is(.panel-place, .rows, .legend) { display: none; }
+:host([fit]) :is(.panel-place, .rows) { display: none; }
+:host([fit]) .legend { min-block-size: 0; margin-inline: 0; }
+:host([fit]) .legend > .entry { min-block-size: 1.5rem; padding-block: 0; font-size: 0.8125rem; }
 :host([fit]) .bar { position: absolute; inset-block-start: -1.6rem; inset-inline: 45% 0; min-block-size: 1.5rem; margin: 0; grid-template-columns: minmax(0, 1fr) auto; }
 :host([fit]) .readout { text-align: end; white-space: nowrap; text-overflow: ellipsis; }
 :host([fit]) .buttons { flex-wrap: nowrap; }
@@ -134,13 +141,16 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
   .linked { border-style: dashed; }
   .entry[aria-pressed="true"] { border-color: ButtonText; }
 }
+.printed { display: none; }
 @media print {
   .bar, .legend, .panel-place, .data, .layer { display: none; }
+  .printed { display: block; margin: 0.25rem 0 0; font-size: 0.875rem; color: var(--quiet, #333); }
+  .printed:empty { display: none; }
+  .stage > canvas { object-fit: contain; }
+  .rows { max-block-size: none; overflow: visible; }
+  .rows thead th { position: static; }
 }
 `;
-
-/** @type {CSSStyleSheet | null} */
-let sheet = null;
 
 /**
  * Puts the parts into an element's shadow root.
@@ -149,11 +159,7 @@ let sheet = null;
  * @returns {Parts}
  */
 export function furnish(root) {
-  if (sheet === null) {
-    sheet = new CSSStyleSheet();
-    sheet.replaceSync(STYLE);
-  }
-  root.adoptedStyleSheets = [sheet];
+  adopt(STYLE, root);
 
   const canvas = document.createElement("canvas");
   canvas.setAttribute("role", "img");
@@ -185,8 +191,9 @@ export function furnish(root) {
   summary.textContent = say("figure.in-words");
   data.append(summary);
   const rows = part("div", "rows");
-  root.append(stage, described, keys, legend, bar, heard, controls, rows, data);
-  return { stage, canvas, layer, band, described, keys, legend, readout, buttons, status, heard, controls, rows, data };
+  const printed = part("p", "printed");
+  root.append(stage, printed, described, keys, legend, bar, heard, controls, rows, data);
+  return { stage, printed, canvas, layer, band, described, keys, legend, readout, buttons, status, heard, controls, rows, data };
 }
 
 /**

@@ -9,7 +9,7 @@
 
 import { density, onAppearance, resolveTheme } from "../figure/appearance.js";
 import { PINS, pointOf, same } from "../state.js";
-import { number, onLanguage, say } from "../words/say.js";
+import { decimalSign, number, onLanguage, say } from "../words/say.js";
 import { START } from "./charts.js";
 import { button, element, named } from "../controls/dom.js";
 import { contact, sentence } from "./facts.js";
@@ -207,7 +207,7 @@ export class Compare {
       if (!canvas.isConnected || canvas.clientWidth < 120) return;
       canvas.width = Math.round(canvas.clientWidth * density());
       canvas.height = Math.round(canvas.clientHeight * density());
-      engine.draw(figure, canvas, { theme, density: density() });
+      engine.draw(figure, canvas, { theme, density: density(), view: { decimal: decimalSign() } });
     });
     return canvas;
   }

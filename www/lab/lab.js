@@ -22,7 +22,8 @@ import { createThumb, Parameters } from "./parameters.js";
 import { pickOrbits, pickStarts } from "./pick.js";
 import { shareWindows } from "./share.js";
 import { Sound } from "./sound.js";
-import { adoptStyle } from "./style.js";
+import { adopt } from "../style/adopt.js";
+import { STYLE } from "./style.js";
 import { numberOf } from "../values.js";
 
 learn(words);
@@ -39,7 +40,7 @@ const QUIET = 900;
  * @param {RoomServices} services
  */
 export function start(host, services) {
-  adoptStyle();
+  adopt(STYLE);
   new Laboratory(host, services);
 }
 

@@ -1,6 +1,6 @@
 /** How the laboratory looks. Colours come from the page's custom properties. */
 
-const STYLE = `
+export const STYLE = `
 [data-view="lab"] .lab { --gap: 0.75rem; display: grid; gap: var(--gap); max-inline-size: 100rem; margin-inline: auto; font-size: 0.9375rem;
   line-height: 1.35; }
 .lab .unseen { position: absolute; inline-size: 1px; block-size: 1px; margin: 0; overflow: hidden; clip-path: inset(50%); }
@@ -79,13 +79,13 @@ const STYLE = `
   [data-view="lab"] .lab { grid-template-columns: minmax(0, 1.28fr) minmax(0, 1fr); }
   .lab > * { grid-column: 1 / -1; }
   .lab .left { grid-column: 1; block-size: clamp(36rem, calc(100dvh - 15rem), 72rem); grid-auto-rows: minmax(0, 1fr); }
-  .lab .right { grid-column: 2; block-size: clamp(36rem, calc(100dvh - 15rem), 72rem); grid-template-columns: repeat(6, minmax(0, 1fr)); grid-template-rows: 1fr 0.95fr 1.25fr; }
+  .lab .right { grid-column: 2; block-size: clamp(36rem, calc(100dvh - 15rem), 72rem); grid-template-columns: repeat(24, minmax(0, 1fr)); grid-template-rows: 1fr 0.95fr 1.25fr; }
   .lab .right .chart { min-block-size: 0; }
   .lab .chart-1 { grid-area: 1 / 1 / 2 / -1; }
-  .lab .chart-U { grid-area: 2 / 1 / 3 / 5; }
-  .lab .chart-W { grid-area: 2 / 5 / 3 / 7; }
-  .lab .chart-P { grid-area: 3 / 1 / 4 / 4; }
-  .lab .chart-M { grid-area: 3 / 4 / 4 / 7; }
+  .lab .chart-U { grid-area: 2 / 1 / 3 / 16; }
+  .lab .chart-W { grid-area: 2 / 16 / 3 / 25; }
+  .lab .chart-P { grid-area: 3 / 1 / 4 / 10; }
+  .lab .chart-M { grid-area: 3 / 10 / 4 / 25; }
   .lab .tabs { display: none; }
 }
 @media (max-width: 1099.98px) {
@@ -116,16 +116,7 @@ const STYLE = `
   .lab .knob { inline-size: 2.75rem; min-block-size: 2.75rem !important; }
 }
 @media print {
-  .lab :is(.toolbar, .tabs, .thumb, .knob) { display: none; }
+  .lab :is(.toolbar, .tabs, .thumb, .knob, .over, .cursor, .pin-flag) { display: none; }
+  .lab .state { position: static; }
 }
 `;
-
-let adopted = false;
-
-export function adoptStyle() {
-  if (adopted) return;
-  adopted = true;
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(STYLE);
-  document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
-}

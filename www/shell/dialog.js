@@ -1,5 +1,6 @@
 /** The sheets that lie over the page: palette, settings, help. */
 
+import { adopt } from "../style/adopt.js";
 import { say } from "../words/say.js";
 
 const STYLE = `
@@ -32,8 +33,6 @@ dialog.sheet::backdrop { background: color-mix(in srgb, var(--ground) 60%, #000)
 @media print { dialog.sheet { display: none; } }
 `;
 
-let styled = false;
-
 /**
  * Opens a sheet; it closes by Escape, by its button, and by a click beside it, and the focus goes back to where it was.
  *
@@ -42,12 +41,7 @@ let styled = false;
  * @returns {HTMLDialogElement}
  */
 export function openSheet(title, fill) {
-  if (!styled) {
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(STYLE);
-    document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
-    styled = true;
-  }
+  adopt(STYLE);
   for (const open of document.querySelectorAll("dialog.sheet")) if (open instanceof HTMLDialogElement) open.close();
   const dialog = document.createElement("dialog");
   dialog.className = "sheet";

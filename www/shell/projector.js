@@ -2,6 +2,7 @@
  * For a room: the keys that are pressed and the places that are touched are shown, so that others can follow.
  */
 
+import { adopt } from "../style/adopt.js";
 import { keyName, keyWords } from "./keys.js";
 
 /** How long a key stays to be read after it was let go, ms. */
@@ -20,9 +21,7 @@ const STYLE = `
 
 /** @returns {() => void} ends it */
 export function showHands() {
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(STYLE);
-  document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
+  const undress = adopt(STYLE);
   const keys = document.createElement("div");
   keys.className = "shown-keys";
   // What is pressed is known to who presses it.
@@ -78,7 +77,7 @@ export function showHands() {
     life.abort();
     keys.remove();
     for (const ring of touches.values()) ring.remove();
-    document.adoptedStyleSheets = document.adoptedStyleSheets.filter((one) => one !== sheet);
+    undress();
   };
 }
 

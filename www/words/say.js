@@ -103,9 +103,14 @@ function powerOfTen(value, digits) {
   return `${localized(mantissa)} × 10^${exponent.replace("+", "")}`.replaceAll("-", "−");
 }
 
+/** What stands before the decimals. @returns {"." | ","} */
+export function decimalSign() {
+  return spoken === "de" ? "," : ".";
+}
+
 /** A plain number with the language's decimal sign. @param {string} plain */
 export function localized(plain) {
-  return spoken === "de" ? plain.replace(".", ",") : plain;
+  return plain.replace(".", decimalSign());
 }
 
 /**
@@ -114,5 +119,5 @@ export function localized(plain) {
  * @param {string} text
  */
 export function unlocalized(text) {
-  return spoken === "de" ? text.replace(",", ".") : text;
+  return text.replace(decimalSign(), ".");
 }

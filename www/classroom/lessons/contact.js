@@ -1,5 +1,10 @@
 /** Whether the teeth stay together: the assumption on which the theory rests. */
 
+const KEPT_OR_LOST = [
+  { text: { word: "lesson.contact.kept" }, when: [{ figure: "U", fact: "margin", from: 0 }] },
+  { text: { word: "lesson.contact.lost" }, when: [{ figure: "U", fact: "contact", is: "lost" }] },
+];
+
 /** @type {import("../lesson.js").Lesson} */
 export const contact = {
   id: "contact",
@@ -14,10 +19,7 @@ export const contact = {
       question: {
         kind: "choice",
         ask: { word: "lesson.contact.ask" },
-        options: [
-          { text: { word: "lesson.contact.kept" }, when: [{ figure: "U", fact: "margin", from: 0 }] },
-          { text: { word: "lesson.contact.lost" }, when: [{ figure: "U", fact: "contact", is: "lost" }] },
-        ],
+        options: KEPT_OR_LOST,
       },
       reveal: {
         text: { word: "lesson.contact.soft.reveal" },
@@ -33,10 +35,7 @@ export const contact = {
       question: {
         kind: "choice",
         ask: { word: "lesson.contact.ask" },
-        options: [
-          { text: { word: "lesson.contact.kept" }, when: [{ figure: "U", fact: "margin", from: 0 }] },
-          { text: { word: "lesson.contact.lost" }, when: [{ figure: "U", fact: "contact", is: "lost" }] },
-        ],
+        options: KEPT_OR_LOST,
       },
       reveal: {
         text: { word: "lesson.contact.linear.reveal" },

@@ -1,5 +1,10 @@
 /** What a tongue is: speeds at which a pulse makes rest unstable. */
 
+const DIES_OR_GROWS = [
+  { text: { word: "lesson.tongue.dies" }, when: [{ figure: "M", fact: "stable", is: true }] },
+  { text: { word: "lesson.tongue.grows" }, when: [{ figure: "M", fact: "stable", is: false }] },
+];
+
 /** @type {import("../lesson.js").Lesson} */
 export const tongue = {
   id: "tongue",
@@ -15,10 +20,7 @@ export const tongue = {
       question: {
         kind: "choice",
         ask: { word: "lesson.tongue.push" },
-        options: [
-          { text: { word: "lesson.tongue.dies" }, when: [{ figure: "M", fact: "stable", is: true }] },
-          { text: { word: "lesson.tongue.grows" }, when: [{ figure: "M", fact: "stable", is: false }] },
-        ],
+        options: DIES_OR_GROWS,
       },
       reveal: {
         text: { word: "lesson.tongue.quiet.reveal" },
@@ -34,10 +36,7 @@ export const tongue = {
       question: {
         kind: "choice",
         ask: { word: "lesson.tongue.push" },
-        options: [
-          { text: { word: "lesson.tongue.dies" }, when: [{ figure: "M", fact: "stable", is: true }] },
-          { text: { word: "lesson.tongue.grows" }, when: [{ figure: "M", fact: "stable", is: false }] },
-        ],
+        options: DIES_OR_GROWS,
       },
       reveal: { text: { word: "lesson.tongue.inside.reveal" }, figures: ["T", "U"] },
     },
