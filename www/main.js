@@ -356,6 +356,7 @@ function element(selector) {
 }
 
 startStory(element('main > [data-view="story"]'), store, engine);
+addEventListener("beforeprint", layOut);
 watchPrinting(paintAll);
 watchFigures();
 provide(services);

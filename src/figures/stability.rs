@@ -228,8 +228,9 @@ fn drawing(p: &Parameters, chart: &StabilityChart, found: &[Found], grows: bool)
     if let Ok(setting) = Setting::of(p) {
         first_order(&mut composer, frame, &setting);
     }
+    let mut named: Vec<EdgeKind> = Vec::new();
     for found in found {
-        exact(&mut composer, frame, found);
+        exact(&mut composer, frame, found, &mut named);
     }
     let word = if grows { "unstable" } else { "stable" };
     let meaning = format!("the present Omega and k0: {word}");
@@ -307,7 +308,10 @@ fn kind_words(kind: EdgeKind) -> (&'static str, &'static str) {
     }
 }
 
-fn exact(composer: &mut Composer, frame: usize, Found { name, boundary }: &Found) {
+/// The boundaries of a tongue. A further one, of which there are several close to each other, has words at it only where
+/// its kind has none yet.
+fn exact(composer: &mut Composer, frame: usize, Found { name, boundary }: &Found, named: &mut Vec<EdgeKind>) {
+    let further = name.starts_with("further");
     let count = boundary.omega.len();
     let places: Vec<(f64, f64)> =
         boundary.omega.iter().zip(&boundary.k0).map(|(omega, k0)| (*omega, *k0)).collect();
@@ -340,9 +344,11 @@ fn exact(composer: &mut Composer, frame: usize, Found { name, boundary }: &Found
         };
         let line =
             Line::new(format!("{name} {}", kind.name()), format!("exact boundary, {name}: {meaning}"), role);
-        composer.add(frame, Mark::Curve, line.label(label, 0.97), points);
+        let line = if further && named.contains(&kind) { line } else { line.label(label, 0.97) };
+        named.push(kind);
+        composer.add(frame, Mark::Curve, line, points);
     }
-    if let Some([omega, k0]) = boundary.tip.filter(|_| !name.starts_with("further")) {
+    if let Some([omega, k0]) = boundary.tip.filter(|_| !further) {
         let meaning = format!("tip of the tongue, {name}: closed below");
         let line = Line::new(format!("tip {name}"), meaning, Role::Reference);
         composer.marks(frame, line, Points::one((omega, k0)));

@@ -5,6 +5,8 @@
  * @typedef {import("../state.js").State} State
  */
 
+import { beginAll } from "./turn.js";
+
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 const prefersContrast = matchMedia("(prefers-contrast: more)");
 const forcesColors = matchMedia("(forced-colors: active)");
@@ -95,6 +97,7 @@ export function watchPrinting(paintNow) {
   /** @param {boolean} now */
   const print = (now) => {
     printing = now;
+    if (now) beginAll();
     tell();
     paintNow();
   };

@@ -49,6 +49,12 @@ function beginShown() {
   if (idle && waiting.length > 0) between.port2.postMessage(null);
 }
 
+/** Begins all at once, for where nothing can be waited for. */
+export function beginAll() {
+  beginShown();
+  for (const { begin, signal } of waiting.splice(0)) if (!signal.aborted) begin(false);
+}
+
 function goOn() {
   const start = performance.now();
   do {
