@@ -210,7 +210,7 @@ pub fn branch(p: &Parameters, options: &BranchOptions) -> Result<Branch, StudyEr
 ///
 /// # Errors
 /// Why it could be followed neither way.
-fn left_its_start(traces: &[Trace; 2]) -> Result<(), StudyError> {
+pub(crate) fn left_its_start(traces: &[Trace; 2]) -> Result<(), StudyError> {
     if traces.iter().any(|trace| trace.points.len() > 1) {
         return Ok(());
     }

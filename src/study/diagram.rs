@@ -91,6 +91,8 @@ pub struct DiagramWork {
     /// Bifurcations from which a branch was already followed, or at which one ended: value, greatest |u|, and periods.
     visited: Vec<(f64, f64)>,
     diagram: Diagram,
+    /// Why the very first branch could not be followed.
+    refusal: Option<StudyError>,
     done: bool,
 }
 
@@ -141,6 +143,7 @@ impl DiagramWork {
                 method: String::new(),
                 error: ErrorEstimate::default(),
             },
+            refusal: None,
             done: false,
         })
     }
@@ -257,6 +260,9 @@ impl DiagramWork {
     fn take_in(&mut self, current: Current) {
         if current.forwards.points.len().max(current.backwards.points.len()) < 2 {
             // Too steep to be followed at all.
+            if self.diagram.branches.is_empty() && current.from.is_none() {
+                self.refusal = branch::left_its_start(&[current.backwards, current.forwards]).err();
+            }
             return;
         }
         let birth = current
@@ -386,9 +392,13 @@ fn steady(
 /// Computes a diagram.
 ///
 /// # Errors
-/// As [`DiagramWork::new`].
+/// As [`DiagramWork::new`], and those of [`branch::branch`] where the steady response is none that can be followed: a diagram
+/// without a branch is no answer.
 pub fn diagram(p: &Parameters, options: &DiagramOptions) -> Result<Diagram, StudyError> {
     let mut work = DiagramWork::new(p, options)?;
     while !work.advance()? {}
-    Ok(work.into_diagram())
+    match work.refusal.take() {
+        Some(refusal) => Err(refusal),
+        None => Ok(work.into_diagram()),
+    }
 }

@@ -3,7 +3,7 @@
 //! Every property is read once. A getter or a proxy that throws is an error like any other wrong value.
 
 use wasm_bindgen::{JsCast, JsValue};
-use web_sys::js_sys::{Float64Array, Object, Reflect, Uint32Array};
+use web_sys::js_sys::{Array, ArrayBuffer, Float64Array, Object, Reflect, Uint32Array};
 
 use crate::web::errors::{Given, WebError, number_words};
 
@@ -116,11 +116,10 @@ pub fn numbers(value: &JsValue, most: usize) -> Result<Vec<f64>, Given> {
         return Err(given(value));
     }
     let length = list_length(value, most)?;
-    if let Some(array) = value.dyn_ref::<Float64Array>() {
-        return Ok(array.to_vec());
-    }
-    if let Some(array) = value.dyn_ref::<Uint32Array>() {
-        return Ok(array.to_vec().into_iter().map(f64::from).collect());
+    if ArrayBuffer::is_view(value)
+        && (value.is_instance_of::<Float64Array>() || value.is_instance_of::<Uint32Array>())
+    {
+        return copied(value, most);
     }
     let mut numbers = Vec::with_capacity(length);
     for index in 0..length {
@@ -131,6 +130,20 @@ pub fn numbers(value: &JsValue, most: usize) -> Result<Vec<f64>, Given> {
         }
     }
     Ok(numbers)
+}
+
+/// The numbers of a view, by way of a copy that JavaScript makes: memory that has been given away is then an error and no
+/// exception that runs through us, and the copy has the length it says, whatever was done to the view.
+fn copied(view: &JsValue, most: usize) -> Result<Vec<f64>, Given> {
+    let constructor = Object::from(Float64Array::new_with_length(0)).constructor();
+    let copy = Reflect::construct(&constructor, &Array::of1(view))
+        .map_err(|_| Given::Words("a view of memory that is gone".into()))?;
+    let numbers = copy.unchecked_into::<Float64Array>().to_vec();
+    if numbers.len() <= most {
+        Ok(numbers)
+    } else {
+        Err(Given::Words(format!("a list of {}", numbers.len())))
+    }
 }
 
 /// The length of a list-like object, at most `most`.
