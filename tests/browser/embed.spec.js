@@ -1,56 +1,6 @@
 // Figures in pages of other origins: by the element and in a frame.
 
-import { createServer } from "node:http";
-import { test as base, expect } from "@playwright/test";
-
-/** @typedef {import("@playwright/test").Page} Page */
-/** @typedef {{body: string, headers?: Record<string, string>}} Document */
-
-/** @typedef {(wanted: Document) => string} Host  Takes a document to serve and says its address. */
-
-/**
- * A server of another origin than the site's, with one document at a time.
- *
- * @type {import("@playwright/test").Fixtures<{host: Host}, {}, import("@playwright/test").PlaywrightTestArgs>}
- */
-const fixtures = {
-  host: async ({}, /** @type {(host: Host) => Promise<void>} */ use) => {
-    /** @type {Document} */
-    let document = { body: "" };
-    const server = createServer((request, response) => {
-      const page = request.url === "/";
-      response.writeHead(page ? 200 : 404, { "Content-Type": "text/html", ...document.headers });
-      response.end(page ? `<!doctype html><meta charset="utf-8"><title>A host</title>${document.body}` : "");
-    });
-    await new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(undefined)));
-    const address = /** @type {import("node:net").AddressInfo} */ (server.address());
-    await use((/** @type {Document} */ wanted) => {
-      document = wanted;
-      return `http://127.0.0.1:${address.port}/`;
-    });
-    server.closeAllConnections();
-    server.close();
-  },
-};
-const test = base.extend(fixtures);
-
-const ELEMENT = (/** @type {string | undefined} */ site) => `<script type="module" src="${site}gear-figure.js"></script>`;
-const LISTEN = `<script>
-  window.heard = [];
-  for (const type of ["gear-ready", "gear-change", "gear-error"]) addEventListener(type, (event) => heard.push([type, event.detail]));
-  addEventListener("message", ({ data }) => heard.push([data.type, data]));
-</script>`;
-
-/** @param {Page} page @param {string} type */
-function heard(page, type) {
-  return page.evaluate((wanted) => /** @type {any} */ (window).heard.filter((/** @type {any[]} */ [name]) => name === wanted).map((/** @type {any[]} */ [, detail]) => JSON.parse(JSON.stringify(detail))), type);
-}
-
-/** @param {Page} page @param {string} type @param {number} [count] */
-async function hears(page, type, count = 1) {
-  await expect.poll(async () => (await heard(page, type)).length, { timeout: 30_000 }).toBeGreaterThanOrEqual(count);
-  return heard(page, type);
-}
+import { ELEMENT, LISTEN, expect, heard, hears, test } from "./host.js";
 
 test("one script brings the element to any page, and it wears its own clothes", async ({ page, host, baseURL }) => {
   const address = host({

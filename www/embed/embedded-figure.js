@@ -21,9 +21,12 @@ const properties = (colors) =>
     .map(([name, color]) => `--${name}: var(--gear-${name}, ${color});`)
     .join(" ");
 
-/** What text inherits is set anew on each part, for rules of the page may reach the element itself. */
+/**
+ * What text inherits is set anew on each part, for rules of the page may reach the element itself. What the parts measure
+ * themselves by is ours even against `* { all: initial !important }`: of two such rules the inner one wins.
+ */
 const STYLE = `
-:host { ${properties(COLORS.light)} color-scheme: light; }
+:host { ${properties(COLORS.light)} color-scheme: light; container-type: inline-size !important; }
 @media (prefers-color-scheme: dark) { :host(:not([theme="light"])) { ${properties(COLORS.dark)} color-scheme: dark; } }
 :host([theme="dark"]) { ${properties(COLORS.dark)} color-scheme: dark; }
 :host > * {

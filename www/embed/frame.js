@@ -8,9 +8,14 @@
  */
 
 import { startEngine } from "../engine/client.js";
+import { isReserved } from "../figure/attributes.js";
 import { EmbeddedFigure } from "./embedded-figure.js";
 import { equip } from "./equip.js";
 import { understood } from "./messages.js";
+
+/** What an address names beside parameters. */
+const OWN = ["figure", "controls", "theme"];
+const NAME = /^[a-z][a-z0-9_.]{0,31}$/;
 
 /** Without a parent there is nobody to talk to: the document was opened by itself. */
 const host = window.parent === window ? null : window.parent;
@@ -64,7 +69,7 @@ function follow() {
   const wanted = new Map([["figure", "1"]]);
   for (const [name, value] of new URLSearchParams(location.hash.slice(1))) {
     const attribute = name.toLowerCase();
-    if (/^[a-z][a-z0-9_.]{0,31}$/.test(attribute) && !/^(on|style$|id$|class$|v$)/.test(attribute)) wanted.set(attribute, value);
+    if (OWN.includes(attribute) || (NAME.test(attribute) && !isReserved(attribute) && attribute !== "v")) wanted.set(attribute, value);
   }
   for (const { name } of [...figure.attributes]) if (!wanted.has(name)) figure.removeAttribute(name);
   for (const [name, value] of wanted) if (figure.getAttribute(name) !== value) figure.setAttribute(name, value);

@@ -7,6 +7,8 @@
  * @typedef {SetMessage | GetMessage | PlainMessage} Message
  */
 
+import { isReserved } from "../figure/attributes.js";
+
 /** More parameters than there are names for is no message of ours. */
 const MOST = 64;
 const LONGEST = 64;
@@ -60,7 +62,16 @@ function isChoice(name, value) {
 function isParams(value) {
   if (!isRecord(value)) return false;
   const entries = Object.entries(value);
-  return entries.length <= MOST && entries.every(([name, given]) => NAME.test(name) && isValue(given));
+  return entries.length <= MOST && entries.every(([name, given]) => isName(name) && isValue(given));
+}
+
+/**
+ * Whether this may be a parameter's name. It becomes an attribute, and must be none that runs a script or takes the focus.
+ *
+ * @param {string} name
+ */
+function isName(name) {
+  return NAME.test(name) && !isReserved(name.toLowerCase());
 }
 
 /** @param {unknown} value */

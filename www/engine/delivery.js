@@ -22,20 +22,33 @@ export function wasm() {
 /** @type {string | null} */
 let address = null;
 
+/**
+ * A page may start workers from its own origin only, but figures are also shown on pages of others, and in sandboxes, which
+ * have none, wherever their document comes from. There a script of the page's own imports ours. It is a plain one: Chromium
+ * starts no module from a blob in a sandbox, and would ask a page's policy for leave to start ours as a worker.
+ */
 export function newWorker() {
   const waiting = ahead?.workers.shift();
   if (waiting !== undefined) return waiting;
-  address ??= reachable(new URL("./worker.js", import.meta.url));
-  return new Worker(address, { type: "module", name: "gear" });
+  const script = new URL("./worker.js", import.meta.url);
+  if (script.origin === self.origin) return new Worker(script, { type: "module", name: "gear" });
+  address ??= URL.createObjectURL(new Blob([importing(script.href)], { type: "text/javascript" }));
+  return new Worker(address, { name: "gear" });
 }
 
 /**
- * A page may start workers from its own origin only, but figures are also shown on pages of others. There a script of
- * the page's own origin imports ours.
+ * A script that imports another, and keeps for it what is said meanwhile.
  *
- * @param {URL} script
+ * @param {string} address
  */
-function reachable(script) {
-  if (script.origin === location.origin) return script.href;
-  return URL.createObjectURL(new Blob([`import ${JSON.stringify(script.href)};`], { type: "text/javascript" }));
+function importing(address) {
+  return `const early = [];
+onmessage = ({ data }) => early.push(data);
+import(${JSON.stringify(address)}).then(
+  () => {
+    onmessage = null;
+    for (const data of early) dispatchEvent(new MessageEvent("message", { data }));
+  },
+  (reason) => setTimeout(() => { throw reason; }),
+);`;
 }

@@ -237,7 +237,7 @@ export class Pool {
       // What killed two workers will kill a third.
       if (!hopeless && task.deaths < 2) continue;
       seat.tasks.delete(ticket);
-      task.answers.failed(deathNotice());
+      task.answers.failed(seat.ready ? deathNotice() : barredNotice());
     }
     if (hopeless) {
       seat.closed = true;
@@ -255,4 +255,10 @@ export class Pool {
 function deathNotice() {
   const message = "The worker that computes this figure died twice; change a value to try again.";
   return { code: "internal", parameter: null, given: null, allowed: null, message };
+}
+
+/** @returns {GearErrorFields} */
+function barredNotice() {
+  const message = "No worker comes up here, as where a policy of the page forbids them, so the figure stands still.";
+  return { code: "load", parameter: null, given: null, allowed: null, message };
 }

@@ -14,6 +14,24 @@ const OTHERS = new Set(
     "style tabindex title translate").split(" "),
 );
 
+/** What else an attribute of HTML does, it does through a property of this name. @type {Set<string> | null} */
+let properties = null;
+
+/**
+ * Whether an attribute of this name, in small letters, means something to the browser or to the figure that is no parameter.
+ * Who may set parameters from outside must not set these: some run scripts, others take the focus.
+ *
+ * @param {string} name
+ */
+export function isReserved(name) {
+  if (properties === null) {
+    properties = new Set();
+    // Named one by one by the browser itself: what it will learn to understand is among them.
+    for (const property in globalThis.HTMLElement?.prototype) properties.add(property.toLowerCase());
+  }
+  return OTHERS.has(name) || name.includes("-") || name.startsWith("on") || properties.has(name);
+}
+
 /**
  * What the attributes give; what is wrong with them is told and left out, the rest applies.
  *

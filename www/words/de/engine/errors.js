@@ -52,6 +52,14 @@ export const errors = [
   ["there is no figure {1}: there are {2}", "es gibt keine Abbildung {1}: Es gibt {2}"],
   ["There is no figure “{1}”; there are {2}.", "Es gibt keine Abbildung „{1}“; es gibt {2}."],
   ["There is no parameter “{1}”; it was left out.", "Es gibt keinen Parameter „{1}“; er wurde ausgelassen."],
+  [
+    "The worker that computes this figure died twice; change a value to try again.",
+    "Der Arbeiter, der diese Abbildung berechnet, fiel zweimal aus; ändern Sie einen Wert, um es wieder zu versuchen.",
+  ],
+  [
+    "No worker comes up here, as where a policy of the page forbids them, so the figure stands still.",
+    "Hier startet kein Arbeiter, etwa weil eine Vorschrift der Seite es verbietet; deshalb steht die Abbildung still.",
+  ],
   ["torus", "Torus"],
   ["isolated torus", "einzelner Torus"],
   ["the motion escapes", "die Bewegung entkommt"],
