@@ -24,6 +24,8 @@ cargo xtask serve [--port N]            build, then serve dist/ on 127.0.0.1 (80
                   [--no-build]          ... without building first
 cargo xtask test  [--quick]             all checks and tests; quick: no wasm lints, no documentation, no browser
                   [--only WORD]         ... only the steps with this word in their name, such as Chromium or Node
+cargo xtask fuzz  [--cases N]           100,000 made-up cases of every call of the module, in Node: hours
+                  [--calls branch,...]  ... of these calls; also --seed N, --limit SECONDS, --small, --one NUMBER
 cargo xtask bench                       measure natively, in Node and in Chromium; writes docs/benchmarks.md
 cargo xtask goldens                     draw the figures anew into tests/goldens/
 cargo xtask accuracy                    every reference number beside ours, into docs/accuracy.md
@@ -65,6 +67,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
             serve::serve(&options)
         }
         "test" => check::check(&command::Options::read(rest, &["--only"], &["--quick"])?),
+        "fuzz" => fuzz(rest),
         "bench" => command::Options::read(rest, &[], &[]).and_then(|_| bench::bench()),
         "goldens" => {
             command::Options::read(rest, &[], &[])?;
@@ -92,4 +95,10 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         }
         other => Err(Failure::Usage { given: other.to_owned(), help: HELP }),
     }
+}
+
+/// Hands everything on to the fuzz itself, which knows its options.
+fn fuzz(rest: &[String]) -> Result<(), Failure> {
+    build::build(&place::root().join("dist"))?.report();
+    command::run(command::program("node", &["tests/node/fuzz/run.mjs"]).args(rest))
 }
