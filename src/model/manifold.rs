@@ -30,6 +30,12 @@ pub fn holds(state: &[f64; 6]) -> bool {
     state[0] == -state[1] && state[3] == -state[4]
 }
 
+/// The same state on the manifold to the last bit, for one that is there but for rounding.
+pub fn onto_manifold(state: &[f64; 6]) -> [f64; 6] {
+    let [u_p, _, u, v_p, _, w] = *state;
+    [u_p, -u_p, u, v_p, -v_p, w]
+}
+
 impl Manifold {
     /// On the manifold of this pair; none where the supports differ.
     pub fn of(p: &Parameters) -> Option<Self> {

@@ -9,11 +9,12 @@ use super::chart_column::{Between, Column, Node};
 use super::grid::Grid;
 use super::linear_floquet::factorise;
 use super::motion;
-use super::multipliers::{Budget, common_period, image, image_on_manifold, unloaded};
+use super::multipliers::{Budget, common_period, image, unloaded};
 use super::orbit::{self, OrbitOptions};
 use super::stability_chart::{StabilityChart, check_plane, conditioned, stability_chart};
 use crate::error::StudyError;
 use crate::model::equations::GearPair;
+use crate::model::manifold::onto_manifold;
 use crate::model::parameters::{Parameters, Regime};
 use crate::numerics::characteristic::Characteristic;
 use crate::numerics::periodic::{Image, correction};
@@ -290,18 +291,12 @@ impl ChartWork {
         let pair = GearPair::new(p);
         let mut state = guess;
         let equal = p.symmetric().is_ok() && near_manifold(&guess);
-        let onto_manifold = |state: &mut [f64; 6]| {
-            // To the last bit: the response that the load grows from the trivial state has the pair's symmetry.
-            if equal {
-                (state[1], state[4]) = (-state[0], -state[3]);
-            }
-        };
-        onto_manifold(&mut state);
+        // To the last bit: the response that the load grows from the trivial state has the pair's symmetry.
+        let exactly = |state: [f64; 6]| if equal { onto_manifold(&state) } else { state };
+        state = exactly(state);
         let mut before = f64::INFINITY;
         for _ in 0..ITERATIONS {
-            let there: Image = image_on_manifold(&pair, &state, self.period, tolerance, budget)
-                .unwrap_or_else(|| image(&pair, &state, self.period, tolerance, 1.0, budget))
-                .ok()?;
+            let there: Image = image(&pair, &state, self.period, tolerance, 1.0, budget).ok()?;
             let step = correction(&state, &there)?;
             let size = largest(&step);
             if size.is_nan() || size > tolerance && size >= 0.7 * before.max(1.0) {
@@ -310,7 +305,7 @@ impl ChartWork {
             for (value, step) in state.iter_mut().zip(step) {
                 *value -= step;
             }
-            onto_manifold(&mut state);
+            state = exactly(state);
             // What is left of the state's error is the square of this; the derivative was taken where it still was this.
             if size <= tolerance * (1.0 + largest(&state)) {
                 let determinant = (pair.trace() * self.period as f64 * p.mesh_period()).exp();

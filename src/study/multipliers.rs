@@ -170,7 +170,7 @@ pub fn image(
     image_between(pair, state, [0.0, end], tolerance, step_factor, budget)
 }
 
-/// As [`image`], from one time to another.
+/// As [`image`], from one time to another. On the manifold `u_g = -u_p` of equal supports half as many numbers do.
 ///
 /// # Errors
 /// As [`image`].
@@ -182,29 +182,16 @@ pub fn image_between(
     step_factor: f64,
     budget: &Budget,
 ) -> Result<Image, NumericsError> {
+    let options = (tolerance, step_factor);
+    if let Some(field) = Manifold::of(&pair.parameters).filter(|_| manifold::holds(state)) {
+        let start = manifold::start(state);
+        let end = carried::<_, _, ORDER_16>(&field, start, 0, pair, times, options, budget)?;
+        return Ok(manifold::split(&end));
+    }
     let field = Variational { pair: *pair };
     let start = variational::start(state);
-    let end = carried::<_, _, ORDER_20>(&field, start, 1, pair, times, (tolerance, step_factor), budget)?;
+    let end = carried::<_, _, ORDER_20>(&field, start, 1, pair, times, options, budget)?;
     Ok(variational::split(&end))
-}
-
-/// The same on the manifold `u_g = -u_p`, where half as many numbers do, in steps of order 16: for tolerances that are not
-/// fine. None where this state and pair are not on one.
-///
-/// # Errors
-/// As [`image`].
-pub fn image_on_manifold(
-    pair: &GearPair,
-    state: &[f64; 6],
-    periods: usize,
-    tolerance: f64,
-    budget: &Budget,
-) -> Option<Result<Image, NumericsError>> {
-    let field = Manifold::of(&pair.parameters).filter(|_| manifold::holds(state))?;
-    let start = manifold::start(state);
-    let times = [0.0, periods as f64 * pair.parameters.mesh_period()];
-    let end = carried::<_, _, ORDER_16>(&field, start, 0, pair, times, (tolerance, 1.0), budget);
-    Some(end.map(|end| manifold::split(&end)))
 }
 
 /// The end of a motion from one time to another; `gear` is the place of a number that is as great as the gear's displacement.

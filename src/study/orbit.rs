@@ -8,6 +8,7 @@ use super::poincare::Strobe;
 use super::time_response::largest_difference;
 use crate::error::{NumericsError, StudyError};
 use crate::model::equations::{DIVERGED, GearPair};
+use crate::model::manifold;
 use crate::model::parameters::{Parameters, Regime};
 use crate::numerics::floquet::{self, Matrix6};
 use crate::numerics::multiple_shooting;
@@ -136,8 +137,11 @@ fn solve(
     let pair = GearPair::new(p);
     let bounds = newton::Options { tolerance: options.tolerance, ..newton::Options::default() };
     let mut steepest = 0.0_f64;
+    // What starts on the manifold of equal supports stays there but for rounding.
+    let equal = p.symmetric().is_ok() && manifold::holds(&guess);
+    let exactly = |state: &[f64; 6]| if equal { manifold::onto_manifold(state) } else { *state };
     let single = fixed_point(guess, bounds, |state| {
-        let image = image(&pair, state, options.period, options.tolerance, 1.0, budget);
+        let image = image(&pair, &exactly(state), options.period, options.tolerance, 1.0, budget);
         if let Ok((_, derivative)) = &image {
             steepest = derivative.iter().flatten().fold(steepest, |most, entry| most.max(entry.abs()));
         }
@@ -145,6 +149,7 @@ fn solve(
     });
     // A guess that was given is believed, even where its motion does not last a period.
     let escapes = matches!(single, Err(NumericsError::Escaped { .. })) && options.guess.is_some();
+    let single = single.map(|solution| newton::Solution { point: exactly(&solution.point), ..solution });
     if steepest < multiple_shooting::STEEP && !escapes {
         return single.map(Found::from);
     }

@@ -84,15 +84,25 @@ impl<const N: usize, const LEN: usize> Step<N, LEN> {
         self.start + self.length
     }
 
-    /// The state `since` after the start of the step, by Horner's rule; meant for 0 to [`Step::length`].
+    /// The state `since` after the start of the step; meant for 0 to [`Step::length`].
+    ///
+    /// By Horner's rule for the even and the odd powers apart: two sums that need not wait for one another.
     pub fn value(&self, since: f64) -> [f64; N] {
-        let mut state = self.series[LEN - 1];
-        for coefficients in self.series[..LEN - 1].iter().rev() {
-            for (value, coefficient) in state.iter_mut().zip(coefficients) {
-                *value = *value * since + coefficient;
+        let square = since * since;
+        let (mut even, mut odd) = ([0.0; N], [0.0; N]);
+        if LEN % 2 == 1 {
+            even = self.series[LEN - 1];
+        }
+        for pair in self.series[..LEN - LEN % 2].rchunks_exact(2) {
+            for i in 0..N {
+                even[i] = even[i] * square + pair[0][i];
+                odd[i] = odd[i] * square + pair[1][i];
             }
         }
-        state
+        for i in 0..N {
+            even[i] += odd[i] * since;
+        }
+        even
     }
 
     /// Coefficients of one coordinate in powers of the time since the start.
@@ -111,7 +121,10 @@ impl<const N: usize, const LEN: usize> Step<N, LEN> {
 /// rounding error does not ask for accuracy below it. The roots are taken to a per mille: a step need not be exact, and
 /// is then the same to the bit on every machine.
 pub fn step_length<const N: usize, const LEN: usize>(series: &Series<N, LEN>, tolerance: f64) -> f64 {
-    let largest = |row: &[f64; N]| row.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    // Compared rather than by `max`, which wasm has as a call: no number counts that is none.
+    let largest = |row: &[f64; N]| {
+        row.iter().fold(0.0_f64, |most, value| if value.abs() > most { value.abs() } else { most })
+    };
     let (last, last_but_one) = (largest(&series[LEN - 1]), largest(&series[LEN - 2]));
     let size = largest(&series[0]);
     if last == 0.0 && last_but_one == 0.0 {
