@@ -36,6 +36,8 @@ function textOf(id) {
 
 /** @param {string} base64 */
 function bytes(base64) {
+  // Where the browser reads it itself, ten times as fast.
+  if ("fromBase64" in Uint8Array) return /** @type {any} */ (Uint8Array).fromBase64(base64);
   const letters = atob(base64);
   const found = new Uint8Array(letters.length);
   for (let index = 0; index < letters.length; index += 1) found[index] = letters.charCodeAt(index);
