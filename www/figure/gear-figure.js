@@ -410,7 +410,8 @@ export class GearFigure extends HTMLElement {
   #furnish(info, provided) {
     const { canvas, buttons } = this.#parts;
     if (info.animated) {
-      this.#clock = new Clock(() => requestPaint(this));
+      // It ticks in a frame: to wait for the next one would show every second moment only.
+      this.#clock = new Clock(() => this.#paintNow());
       this.#clock.seen = this.inSight;
       canvas.onkeydown = (event) => {
         if (event.key !== " ") return;
@@ -579,8 +580,7 @@ export class GearFigure extends HTMLElement {
     if (complete || first || this.inSight) this.#repaint();
     if (this.#asking) {
       // This is the frame in which the parameters changed: the picture is in it.
-      forgetPaint(this);
-      this.paint();
+      this.#paintNow();
     }
     if (!complete) return;
     clearTimeout(this.#notice);
@@ -674,6 +674,11 @@ export class GearFigure extends HTMLElement {
     if (isHeldBack(this)) return false;
     const { width, top, bottom } = this.getBoundingClientRect();
     return width > 0 && bottom > 0 && top < innerHeight;
+  }
+
+  #paintNow() {
+    this.paint();
+    forgetPaint(this);
   }
 
   #repaint() {
