@@ -1,9 +1,11 @@
-//! `cargo xtask bench`: how fast the same jobs are natively, in Node and in Chromium; how soon the page shows its figures.
+//! `cargo xtask bench`: how fast the same jobs are natively, in Node and in Chromium; how the page opens and answers.
 
-use crate::command::{cargo, output_of, program};
+use crate::command::{Options, cargo, output_of, program};
 use crate::serve::{Prefix, Server};
 use crate::{Failure, build, place, tools};
 use std::fmt::Write;
+use std::path::Path;
+use std::process::Command;
 
 /// Lines of a measurement: what, and how long, in microseconds.
 type Measured = Vec<(String, f64)>;
@@ -12,14 +14,64 @@ type Measured = Vec<(String, f64)>;
 const FIRST: (&str, f64) = ("stability chart 200 x 200 to 1e-6", 25e3);
 const FIRST_CALLS: usize = 5;
 
-/// Measures, prints and records in docs/benchmarks.md.
-pub fn bench() -> Result<(), Failure> {
+/// The document, and its parts, each of which can be renewed alone.
+const DOCUMENT: &str = "docs/benchmarks.md";
+const NUMBERS: &str = "Numbers";
+const PAGE: &str = "The page";
+
+/// Measures, prints and records in docs/benchmarks.md: the numbers, the page, or both.
+pub fn bench(options: &Options) -> Result<(), Failure> {
     let dist = place::root().join("dist");
     let built = build::build(&dist)?;
     built.report();
     tools::ensure_node_packages()?;
     let chromium = tools::ensure_chromium()?;
+    let address = Server::bind(dist.clone(), Prefix::root(), Some(0))?.in_background();
+    let browser = |script: &str| {
+        let mut command = program("node", &[script]);
+        command.env("CHROMIUM", &chromium).env("GEAR_ADDRESS", &address).env("GEAR_DIST", &dist);
+        command
+    };
+    let (numbers, page) = (options.flag("--numbers"), options.flag("--page"));
+    if numbers || !page {
+        record(NUMBERS, &numbers_measured(&chromium, browser("benches/browser.js"))?)?;
+    }
+    if page || !numbers {
+        println!("the page in Chromium");
+        let mut lines = output_of(&mut browser("benches/page.js"))?;
+        lines.push_str(&output_of(
+            program("node", &["benches/lighthouse.js"]).env("CHROMIUM", &chromium).env("GEAR_DIST", &dist),
+        )?);
+        let versions = [output_of(&mut program(&chromium.to_string_lossy(), &["--version"]))?];
+        record(
+            PAGE,
+            &page_report(&machine(), &versions, &lines, [built.gzipped, built.first_visit, built.single])?,
+        )?;
+    }
+    Ok(())
+}
 
+/// Prints a part of the document and puts it there.
+fn record(heading: &str, text: &str) -> Result<(), Failure> {
+    print!("\n{text}");
+    let path = place::root().join(DOCUMENT);
+    let document = std::fs::read_to_string(&path).map_err(Failure::file(&path))?;
+    std::fs::write(&path, renewed(&document, heading, text)).map_err(Failure::file(&path))
+}
+
+/// The document with another text under one of its headings; where there is no such heading, with one more.
+fn renewed(document: &str, heading: &str, text: &str) -> String {
+    let start = format!("\n## {heading}\n");
+    let (before, after) = match document.split_once(&start) {
+        Some((before, rest)) => (before, rest.find("\n## ").map_or("", |next| &rest[next..])),
+        None => (document.trim_end_matches('\n'), ""),
+    };
+    let before = before.trim_end_matches('\n');
+    format!("{before}\n{start}\n{}\n{after}", text.trim_matches('\n'))
+}
+
+/// The jobs natively, in Node and in Chromium, as a part of the document.
+fn numbers_measured(chromium: &Path, mut browser: Command) -> Result<String, Failure> {
     println!("natively");
     let native = output_of(&mut cargo(&["bench", "--quiet", "--bench", "speed"]))?;
     let ceilings = ceilings(&native)?;
@@ -33,12 +85,8 @@ pub fn bench() -> Result<(), Failure> {
     firsts.sort_by(|one, other| one.1.total_cmp(&other.1));
     let node = read(&output_of(program("node", &["benches/node.js"]).args(&jobs))?)?;
     println!("in Chromium");
-    let address = Server::bind(dist, Prefix::root(), Some(0))?.in_background();
-    let mut browser = program("node", &["benches/browser.js", "--first", FIRST.0]);
-    browser.args(&jobs).env("CHROMIUM", &chromium).env("GEAR_ADDRESS", address);
-    let mut openings = read(&output_of(&mut browser)?)?;
-    let in_chromium = openings.split_off(openings.len().saturating_sub(jobs.len()));
-    let in_chromium_first = openings.pop().map_or(f64::NAN, |(_, time)| time);
+    let mut in_chromium = read(&output_of(browser.args(["--first", FIRST.0]).args(&jobs))?)?;
+    let in_chromium_first = if in_chromium.is_empty() { f64::NAN } else { in_chromium.remove(0).1 };
 
     let versions = [
         output_of(&mut program("rustc", &["--version"]))?,
@@ -49,13 +97,8 @@ pub fn bench() -> Result<(), Failure> {
         jobs: [native, node, in_chromium],
         ceilings,
         first: [firsts[FIRST_CALLS / 2].1, in_chromium_first],
-        openings,
-        sizes: [built.gzipped, built.first_visit],
     };
-    let text = report(&machine(), &versions, &measurements);
-    print!("\n{text}");
-    let path = place::root().join("docs/benchmarks.md");
-    std::fs::write(&path, text).map_err(Failure::file(&path))
+    Ok(report(&machine(), &versions, &measurements))
 }
 
 /// All that is measured.
@@ -66,10 +109,6 @@ struct Measurements {
     ceilings: Vec<Option<f64>>,
     /// The first call of [`FIRST`] in Node and in Chromium.
     first: [f64; 2],
-    /// Until what the page has opened.
-    openings: Measured,
-    /// The wasm and a first visit, in bytes as they travel.
-    sizes: [usize; 2],
 }
 
 /// Reads lines of a name, a number and perhaps more, with tabs between.
@@ -114,11 +153,44 @@ fn whole_of(job: &str) -> f64 {
     }
 }
 
-/// The page of docs/.
+/// What the page was measured to do, as a part of the document.
+fn page_report(
+    machine: &str,
+    versions: &[String],
+    lines: &str,
+    sizes: [usize; 3],
+) -> Result<String, Failure> {
+    let mut text = String::from(
+        "Measured by `benches/page.js`: 1440 by 900 CSS pixels, without a graphics processor, served from the same machine; by\n\
+         `benches/lighthouse.js`: as for a desktop, five times, compressed as hosts do it. The aims hold for a machine of two cores that\n\
+         does nothing else.\n\n",
+    );
+    let versions: Vec<&str> = versions.iter().map(|version| version.trim()).collect();
+    let _ = writeln!(text, "Machine: {machine}. {}.\n", versions.join(", "));
+    text.push_str("| what | measured | aim |\n|---|---:|---:|\n");
+    for line in lines.lines().filter(|line| !line.trim().is_empty()) {
+        let parts: Vec<&str> = line.split('\t').collect();
+        let [what, found, aim] = parts[..] else {
+            return Err(Failure::invalid("a measurement of the page", line));
+        };
+        let aim = if aim.is_empty() { "-" } else { aim };
+        let _ = writeln!(text, "| {what} | {found} | {aim} |");
+    }
+    let [gzipped, first_visit, single] = sizes;
+    let ceilings = [build::WASM_CEILING, build::FIRST_VISIT_CEILING, build::SINGLE_CEILING];
+    let _ = writeln!(
+        text,
+        "\nThe wasm, gzipped: {gzipped} bytes; the build fails above {}. Everything that a first visit loads, gzipped: \
+         {first_visit} bytes; the build fails above {}. The page in one file: {single} bytes, at most {}.",
+        ceilings[0], ceilings[1], ceilings[2]
+    );
+    Ok(text)
+}
+
+/// The numbers, as a part of the document.
 fn report(machine: &str, versions: &[String], measured: &Measurements) -> String {
     let mut text = String::from(
-        "# Benchmarks\n\n\
-         Written by `cargo xtask bench`; do not edit. The jobs are those of `src/study/benchmark.rs`, each the median of 15 samples (of 3 where\n\
+        "The jobs are those of `src/study/benchmark.rs`, each the median of 15 samples (of 3 where\n\
          one takes longer than 0.3 s), in one thread, warm. \"Plain RK4\" is the baseline in the same run: the classical Runge-Kutta method, scalar,\n\
          with a fixed step fine enough for the same error (a test there says so), compiled by the same compiler. Where it would take seconds it\n\
          does a part of the job, and its time is multiplied. The ceilings are for one worker in Chromium on a machine of two cores.\n\n",
@@ -152,18 +224,6 @@ fn report(machine: &str, versions: &[String], measured: &Measurements) -> String
         FIRST.0,
         microseconds(FIRST.1)
     );
-    text.push_str("\nOpening the page, 1440 by 900 CSS pixels, served from the same machine, from navigation on; the ceilings are 300 ms and 1 s:\n\n| until | time |\n|---|---|\n");
-    for (mark, time) in &measured.openings {
-        let _ = writeln!(text, "| {mark} | {} |", microseconds(*time));
-    }
-    let [gzipped, first_visit] = measured.sizes;
-    let ceilings = [build::WASM_CEILING, build::FIRST_VISIT_CEILING];
-    let _ = writeln!(
-        text,
-        "\nThe wasm, gzipped: {gzipped} bytes; the build fails above {}. Everything that a first visit loads, gzipped: \
-         {first_visit} bytes; the build fails above {}.",
-        ceilings[0], ceilings[1]
-    );
     text
 }
 
@@ -187,7 +247,7 @@ fn microseconds(time: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Measurements, ceilings, microseconds, read, report, whole_of};
+    use super::{Measurements, ceilings, microseconds, page_report, read, renewed, report, whole_of};
 
     #[test]
     fn measurements_are_read_and_rubbish_is_not() {
@@ -216,14 +276,30 @@ mod tests {
             jobs: [row(2.0, 20.0), row(3.0, 33.0), row(4.0, 1.0)],
             ceilings: vec![Some(5.0), None, None],
             first: [8.0, 9.0],
-            openings: vec![("first".to_owned(), 250_000.0)],
-            sizes: [7, 11],
         };
         let text = report("box", &["v".to_owned()], &measured);
         assert!(text.contains("| a | 2.00 µs | 200 | 3.00 µs | 220 | 4.00 µs | 5.0 | 5.00 µs |\n"), "{text}");
         assert!(text.contains("| b | 7.00 µs | - | 7.00 µs | - | 7.00 µs | - | - |\n"), "{text}");
         assert!(text.contains("first call | - | - | 8.00 µs | - | 9.00 µs | - | 25.0 ms |\n"), "{text}");
-        assert!(text.contains("| first | 250 ms |"));
+    }
+
+    #[test]
+    fn a_part_of_the_document_is_renewed_and_the_others_stay() {
+        let document = "# B\n\nIntro.\n\n## Numbers\n\nold\n\n## The page\n\nkept\n";
+        let now = renewed(document, "Numbers", "new\n");
+        assert_eq!(now, "# B\n\nIntro.\n\n## Numbers\n\nnew\n\n## The page\n\nkept\n");
+        assert_eq!(
+            renewed(&now, "The page", "p"),
+            "# B\n\nIntro.\n\n## Numbers\n\nnew\n\n## The page\n\np\n"
+        );
+        assert_eq!(renewed("# B\n", "Numbers", "n"), "# B\n\n## Numbers\n\nn\n");
+    }
+
+    #[test]
+    fn what_the_page_does_stands_beside_what_it_should() {
+        let text = page_report("box", &["v".to_owned()], "a\t1 ms\t2 ms\nb\t3\t\n", [7, 11, 13]).unwrap();
+        assert!(text.contains("| a | 1 ms | 2 ms |\n| b | 3 | - |\n"), "{text}");
+        assert!(page_report("box", &[], "a\t1\n", [1, 2, 3]).is_err());
     }
 
     #[test]

@@ -26,7 +26,7 @@ cargo xtask test  [--quick]             all checks and tests; quick: no wasm lin
                   [--only WORD]         ... only the steps with this word in their name, such as Chromium or Node
 cargo xtask fuzz  [--cases N]           100,000 made-up cases of every call of the module, in Node: hours
                   [--calls branch,...]  ... of these calls; also --seed N, --limit SECONDS, --small, --one NUMBER
-cargo xtask bench                       measure natively, in Node and in Chromium; writes docs/benchmarks.md
+cargo xtask bench [--numbers | --page]  measure natively, in Node and in Chromium; writes docs/benchmarks.md, or that part of it
 cargo xtask goldens                     draw the figures anew into tests/goldens/
 cargo xtask accuracy                    every reference number beside ours, into docs/accuracy.md
 cargo xtask dependencies                what is not ours, why and under which terms, into docs/dependencies.md
@@ -68,7 +68,8 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         }
         "test" => check::check(&command::Options::read(rest, &["--only"], &["--quick"])?),
         "fuzz" => fuzz(rest),
-        "bench" => command::Options::read(rest, &[], &[]).and_then(|_| bench::bench()),
+        "bench" => command::Options::read(rest, &[], &["--numbers", "--page"])
+            .and_then(|options| bench::bench(&options)),
         "goldens" => {
             command::Options::read(rest, &[], &[])?;
             let test = ["test", "--quiet", "--test", "goldens"];

@@ -26,6 +26,9 @@ pub const WASM_CEILING: usize = 500_000;
 /// Nor for more than this in all, when the page is opened for the first time.
 pub const FIRST_VISIT_CEILING: usize = 670_000;
 
+/// Nor may the page in one file be larger, in bytes.
+pub const SINGLE_CEILING: usize = single::CEILING;
+
 /// What a build made.
 pub struct Built {
     /// The folder.
