@@ -84,9 +84,9 @@ test("before the engine has told what there is, words that need no numbers are r
   assert.deepEqual([state.view, state.theme, state.language, state.point, problems], ["lab", "dark", "de", {}, []]);
 });
 
-test("10,000 random and mutated addresses: never an exception, always a state that can be written", () => {
+test("100,000 random and mutated addresses: never an exception, always a state that can be written", () => {
   const choose = random(4);
-  for (let count = 0; count < 10_000; count += 1) {
+  for (let count = 0; count < 100_000; count += 1) {
     const text = choose.chance(0.3) ? noise(choose) : mutated(choose, write(randomState(choose)));
     const { state, problems } = read(text);
     for (const problem of problems) assert.ok(problem.name.length <= 61 && problem.given.length <= 61, text);

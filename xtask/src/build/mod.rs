@@ -84,7 +84,9 @@ pub fn make(wanted: &Wanted<'_>) -> Result<Built, Failure> {
     let start = Instant::now();
     if !wanted.keep_wasm {
         tools::ensure_wasm_target()?;
-        run(&mut cargo(&["build", "--quiet", "--release", "--lib", "--target", "wasm32-unknown-unknown"]))?;
+        let mut compile =
+            cargo(&["build", "--quiet", "--release", "--lib", "--target", "wasm32-unknown-unknown"]);
+        run(compile.args(without_home()))?;
     }
     let generated = bindings::generate(&tools::wasm_artifact(), &place::scratch().join("bindings"))?;
     let gzipped = weight::gzipped(&generated.wasm).len();
@@ -98,6 +100,19 @@ pub fn make(wanted: &Wanted<'_>) -> Result<Built, Failure> {
     let single = gathered.site.bytes(site::SINGLE)?.len();
     let (out, left_out) = (wanted.out.to_owned(), gathered.left_out);
     Ok(Built { out, gzipped, first_visit, single, left_out, took: start.elapsed() })
+}
+
+/// Lets no path of this machine into the wasm: panics name the files of crates by where the registry lies. Joined to the flags of
+/// `.cargo/config.toml`.
+fn without_home() -> Vec<String> {
+    let home = std::env::var_os("CARGO_HOME")
+        .map(PathBuf::from)
+        .or_else(|| std::env::home_dir().map(|home| home.join(".cargo")));
+    let remapped = |home: PathBuf| {
+        let flags = format!("['--remap-path-prefix={}=cargo']", home.display());
+        vec!["--config".to_owned(), format!("target.wasm32-unknown-unknown.rustflags={flags}")]
+    };
+    home.map(remapped).unwrap_or_default()
 }
 
 fn within(what: &str, bytes: usize, ceiling: usize, details: &str) -> Result<(), Failure> {
