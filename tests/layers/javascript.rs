@@ -129,7 +129,9 @@ fn imports(code: &str) -> Vec<String> {
         }
         let export = code[at..].starts_with("export");
         let rest = code[at + 6..].trim_start();
-        if let Some(argument) = rest.strip_prefix('(').filter(|_| !export) {
+        if rest.starts_with("(${") {
+            // Part of a text that is a script: what it imports is filled in, and written out where that is done.
+        } else if let Some(argument) = rest.strip_prefix('(').filter(|_| !export) {
             found.push(quoted(argument).unwrap_or_else(|| "?".to_owned()));
         } else if rest.starts_with('.') {
             // import.meta
