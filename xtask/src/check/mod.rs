@@ -56,7 +56,8 @@ fn steps(check: &mut Run, quick: bool) -> Result<(), Failure> {
     })?;
     check.step("tests in Node", |count| {
         let files = tests_in("tests/node")?;
-        let mut node = program("node", &["--test", "--test-reporter=spec"]);
+        // Node leaves a core free by itself, which of two is half.
+        let mut node = program("node", &["--test", "--test-reporter=spec", "--test-concurrency=2"]);
         counted(node.args(&files), count::node, count)
     })?;
     if !quick {
