@@ -1,11 +1,11 @@
 //! Figure T of a loaded pair with cubic supports: where its periodic response is unstable, filled in from coarse to fine.
 
-use super::compose::{Composer, Line, Points, axis, number, plane};
+use super::compose::{Composer, Line, Points, number};
 use super::job::{Fact, Figure, Slices};
-use super::stability::first_order;
+use super::stability::{first_order, growth_frame};
 use super::tongue_range::range;
 use super::tongues::Setting;
-use crate::chart::drawing::{Drawing, Frame, Mark, Role};
+use crate::chart::drawing::{Drawing, Mark, Role};
 use crate::error::{FigureError, StudyError};
 use crate::model::parameters::{Parameters, Regime};
 use crate::study::ErrorEstimate;
@@ -64,17 +64,7 @@ impl LoadedTongues {
             if rate.is_finite() { rate } else { 0.0 }
         };
         let rates: Vec<f64> = chart.spectral_radius.iter().enumerate().map(rate).collect();
-        let most = rates.iter().fold(0.0_f64, |most, rate| most.max(*rate));
-        let frame = composer.frame(Frame {
-            bar: Some(axis("growth", "growth rate ln|*μ*|/*T*", (0.0, if most > 1e-6 { most } else { 1.0 }))),
-            ..plane(
-                "tongues",
-                "",
-                (0, 0),
-                axis("Omega", "*Ω*", (chart.omega.low, chart.omega.high)),
-                axis("k0", "*k*_{0}", (chart.k0.low, chart.k0.high)),
-            )
-        });
+        let frame = growth_frame(&mut composer, chart, &rates);
         let missing: Vec<(f64, f64)> = chart
             .spectral_radius
             .iter()

@@ -202,6 +202,21 @@ fn unexplained(chart: &StabilityChart, found: &[Found]) -> Vec<f64> {
     stretches.into_iter().map(|stretch| stretch.1).collect()
 }
 
+/// The plane of a chart, with the bar of its growth rates.
+pub(super) fn growth_frame(composer: &mut Composer, chart: &StabilityChart, rates: &[f64]) -> usize {
+    let most = rates.iter().fold(0.0_f64, |most, rate| most.max(*rate));
+    composer.frame(Frame {
+        bar: Some(axis("growth", "growth rate ln|*μ*|/*T*", (0.0, if most > 1e-6 { most } else { 1.0 }))),
+        ..plane(
+            "tongues",
+            "",
+            (0, 0),
+            axis("Omega", "*Ω*", (chart.omega.low, chart.omega.high)),
+            axis("k0", "*k*_{0}", (chart.k0.low, chart.k0.high)),
+        )
+    })
+}
+
 fn drawing(p: &Parameters, chart: &StabilityChart, found: &[Found], grows: bool) -> Drawing {
     let mut composer = Composer::new((1, 1));
     let omegas: Vec<f64> = (0..chart.omega.count).map(|column| chart.omega.value(column)).collect();
@@ -212,17 +227,7 @@ fn drawing(p: &Parameters, chart: &StabilityChart, found: &[Found], grows: bool)
         .enumerate()
         .map(|(index, radius)| radius.ln() * omegas[index % omegas.len()] / std::f64::consts::TAU)
         .collect();
-    let most = rates.iter().fold(0.0_f64, |most, rate| most.max(*rate));
-    let frame = composer.frame(Frame {
-        bar: Some(axis("growth", "growth rate ln|*μ*|/*T*", (0.0, if most > 1e-6 { most } else { 1.0 }))),
-        ..plane(
-            "tongues",
-            "",
-            (0, 0),
-            axis("Omega", "*Ω*", (chart.omega.low, chart.omega.high)),
-            axis("k0", "*k*_{0}", (chart.k0.low, chart.k0.high)),
-        )
-    });
+    let frame = growth_frame(&mut composer, chart, &rates);
     let field = Line::new("growth", "growth rate of the exact linear problem", Role::Growth);
     composer.field(frame, field, omegas, depths, rates);
     if let Ok(setting) = Setting::of(p) {
