@@ -276,7 +276,7 @@ fn sheet(site: &Site, path: &str) -> Result<String, Failure> {
 }
 
 /// A style sheet without its comments and empty lines.
-fn bare_style(text: &str) -> String {
+pub fn bare_style(text: &str) -> String {
     let mut plain = String::new();
     let mut rest = text;
     while let Some((before, after)) = rest.split_once("/*") {

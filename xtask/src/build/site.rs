@@ -94,10 +94,12 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
         if NOT_SERVED.contains(&name.as_str()) || name.ends_with(".d.ts") {
             continue;
         }
-        if Path::new(&name).extension().is_some_and(|ending| ending == "js") {
-            modules.insert(path, stamp.put_into(&document(&from)?));
-        } else {
-            site.copy(&from, &path)?;
+        match Path::new(&name).extension().and_then(|ending| ending.to_str()) {
+            Some("js") => {
+                modules.insert(path, stamp.put_into(&document(&from)?));
+            }
+            Some("css") => site.add(&path, single::bare_style(&document(&from)?)),
+            _ => site.copy(&from, &path)?,
         }
     }
     site.add("index.html", with_plain_scripts(&index, &modules)?);
