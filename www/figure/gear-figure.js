@@ -317,7 +317,10 @@ export class GearFigure extends HTMLElement {
     if (picture.complete && picture.naturalWidth > 0) return;
     if (address === null || this.#parts.stage.classList.contains("live")) return;
     picture.removeAttribute("src");
+    // Nor the sign of a picture that is missing: none is.
+    picture.style.visibility = "hidden";
     const show = () => {
+      picture.style.removeProperty("visibility");
       if (!this.#parts.stage.classList.contains("live")) picture.setAttribute("src", address);
     };
     setTimeout(show, STATIC_AFTER);

@@ -11,17 +11,22 @@
       if (!(node instanceof HTMLImageElement) || node.parentElement?.localName !== "gear-figure") continue;
       held.push([node, node.getAttribute("src") ?? ""]);
       node.removeAttribute("src");
+      // Nor the sign of a picture that is missing: none is.
+      node.style.visibility = "hidden";
     }
   });
   watch.observe(document, { childList: true, subtree: true });
+  const show = () => {
+    for (const [picture, address] of held.splice(0)) {
+      picture.style.removeProperty("visibility");
+      if (address !== "" && !picture.parentElement?.shadowRoot?.querySelector(".live")) picture.setAttribute("src", address);
+    }
+  };
   addEventListener("DOMContentLoaded", () => {
     watch.disconnect();
-    setTimeout(() => {
-      for (const [picture, address] of held) {
-        if (!picture.parentElement?.shadowRoot?.querySelector(".live")) picture.setAttribute("src", address);
-      }
-    }, patience);
+    setTimeout(show, patience);
   });
+  addEventListener("beforeprint", show);
 
   // Only for whoever begins at the top: a place further down can be found only among sections that are laid out.
   const visit = performance.getEntriesByType("navigation")[0];
