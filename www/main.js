@@ -136,12 +136,14 @@ function readAddress(running) {
   const { state, problems } = parse(location.hash.slice(1), known);
   // What the reader has done meanwhile counts for more than what the page was opened with.
   const { view, at, theme, projector, language } = store.state;
-  const early = store.undoable ? { ...store.state, ...state, view, at, theme, projector, language } : null;
-  store.update({ ...state, at: state.at ?? null });
+  const early = store.undoable;
+  if (early) store.restart({ ...store.state, ...state, view, at, theme, projector, language });
+  else store.update({ ...state, at: state.at ?? null });
   const tell = (/** @type {readonly import("./url.js").Problem[]} */ of) => notice(problemWords(of));
   if (problems.length > 0) tell(problems);
   followAddress(store, known, tell);
-  if (early !== null) store.restart(early);
+  // Then the address is to say so.
+  if (early) store.update({});
 }
 
 /** Says something at the top of the page. @param {string} words */

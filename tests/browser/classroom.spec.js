@@ -15,6 +15,15 @@ test("a lesson asks before it shows, says what is right, and goes on", async ({ 
   await expect(page.getByRole("heading", { name: "A pair at rest" })).toBeVisible();
   await expect(page.getByRole("button", { name: "Next step" })).toBeDisabled();
   await expect(page.locator("#class-U")).toHaveCount(0);
+  // The chart keeps to itself what is asked: beside the point, for the ear and for whoever asks by script what is shown.
+  const present = () =>
+    page.locator("#class-T").evaluate(async (element) => {
+      const figure = /** @type {import("../../www/figure/gear-figure.js").GearFigure} */ (element);
+      await figure.data();
+      const said = figure.shadowRoot?.querySelector("#described")?.textContent ?? "";
+      return { label: figure.shown?.series.find(({ role }) => role === "handle")?.label, told: /stable/.test(said) };
+    });
+  await expect.poll(present).toEqual({ label: null, told: false });
   await page.getByRole("button", { name: "Answer", exact: true }).click();
   await expect(page.getByRole("alert")).toHaveText("Choose one of them first.");
   await page.getByRole("radio", { name: "The vibration grows." }).check();
@@ -22,6 +31,7 @@ test("a lesson asks before it shows, says what is right, and goes on", async ({ 
   await expect(page.locator(".verdict")).toContainText("Not so. It is: The vibration dies away.");
   await expect(page.locator(".reveal")).toContainText(/at most by the factor 0\.\d+/);
   await expect(page.locator("#class-U")).toBeVisible();
+  await expect.poll(present).toEqual({ label: "stable", told: true });
   await page.getByRole("button", { name: "Next step" }).click();
   await expect(page.getByRole("heading", { name: "Another speed" })).toBeFocused();
   await page.getByRole("radio", { name: "The vibration grows." }).check();

@@ -171,6 +171,21 @@ test("German is complete on the page, is kept, and gives way to English again", 
   await expect(page.getByRole("link", { name: "Geschichte" })).toBeVisible();
   await expect(page.getByRole("button", { name: "Rückgängig" })).toBeEnabled();
   await expect.poll(() => hash(page)).toBe("#story&v=1&language=de");
+  // Numbers along axes too.
+  const signs = await page.evaluate(async () => {
+    const { engine } = /** @type {any} */ (window).__gear;
+    const draw = engine.draw.bind(engine);
+    /** @type {string[]} */
+    const seen = [];
+    engine.draw = (/** @type {any[]} */ ...given) => {
+      seen.push(given[2].view.decimal);
+      return draw(...given);
+    };
+    /** @type {any} */ (document.querySelector("#fig-T")).paint();
+    engine.draw = draw;
+    return seen;
+  });
+  expect(signs).toEqual([","]);
   await page.goto("./?test=again");
   await expect(page.getByRole("heading", { level: 1 })).toHaveText(/^Warum/);
   await page.getByRole("button", { name: "Einstellungen" }).click();
@@ -227,4 +242,22 @@ test("without storage all works, and nothing complains", async ({ page }) => {
   await page.keyboard.press("Escape");
   await page.keyboard.press("Control+Z");
   await expect(page.locator("html")).toHaveAttribute("data-theme", "auto");
+});
+
+test("what is clicked before the engine runs stays, whatever the page was opened with", async ({ page }) => {
+  /** @type {() => void} */
+  let release = () => {};
+  const held = new Promise((resolve) => (release = () => resolve(undefined)));
+  await page.route("**/*.wasm", async (route) => {
+    await held;
+    await route.continue();
+  });
+  await page.goto("./?test#story&v=1&k0=0.4", { waitUntil: "commit" });
+  await page.getByRole("link", { name: "Class", exact: true }).click();
+  await expect(page.locator('main > [data-view="class"]')).toBeVisible();
+  release();
+  await page.waitForFunction(() => "__gear" in window);
+  await expect(page.locator(".classroom h1")).toBeVisible();
+  await expect.poll(() => hash(page)).toMatch(/^#class&v=1(&|$)/);
+  expect(await page.evaluate(() => /** @type {any} */ (window).__gear.store.state.point)).toEqual({ k0: 0.4 });
 });
