@@ -17,6 +17,29 @@ export function element(name, className, ...children) {
   return made;
 }
 
+/** Ends the listening of elements that are gone. @type {FinalizationRegistry<() => void>} */
+const gone = new FinalizationRegistry((end) => end());
+
+/**
+ * Shows an element's words, and again in every other language, as long as there is such an element: lists and lessons are
+ * built anew all the time, and what they were before must not be kept by the words on it.
+ *
+ * @template {HTMLElement} Element
+ * @param {Element} made
+ * @param {(made: Element) => void} show  Must not hold the element itself.
+ * @returns {Element}
+ */
+function showing(made, show) {
+  show(made);
+  const held = new WeakRef(made);
+  const end = onLanguage(() => {
+    const still = held.deref();
+    if (still !== undefined) show(still);
+  });
+  gone.register(made, end);
+  return made;
+}
+
 /**
  * An element that says a sentence of the catalogue.
  *
@@ -26,12 +49,9 @@ export function element(name, className, ...children) {
  * @returns {Element}
  */
 export function spoken(made, key) {
-  const show = () => {
-    made.textContent = say(key);
-  };
-  show();
-  onLanguage(show);
-  return made;
+  return showing(made, (still) => {
+    still.textContent = say(key);
+  });
 }
 
 /**
@@ -43,10 +63,7 @@ export function spoken(made, key) {
  * @returns {Element}
  */
 export function set(made, key) {
-  const show = () => made.replaceChildren(marked(say(key)));
-  show();
-  onLanguage(show);
-  return made;
+  return showing(made, (still) => still.replaceChildren(marked(say(key))));
 }
 
 /**
@@ -59,10 +76,7 @@ export function set(made, key) {
  * @returns {Element}
  */
 export function named(made, attribute, key) {
-  const show = () => made.setAttribute(attribute, say(key));
-  show();
-  onLanguage(show);
-  return made;
+  return showing(made, (still) => still.setAttribute(attribute, say(key)));
 }
 
 /**

@@ -1,0 +1,151 @@
+// Hours of use in a hurry: a seeded visitor who slides, drags, zooms, types, undoes, changes views, lessons, themes, languages and the
+// window, for 2 minutes, or for SOAK_MINUTES (`cargo xtask soak` takes 30). What is held after a collection must not grow.
+
+import { expect, open, test } from "./page.js";
+import { held, threads } from "./memory.js";
+import { random } from "../node/random.mjs";
+
+/** @typedef {import("@playwright/test").Page} Page */
+/** @typedef {import("../node/random.mjs").Choose} Choose */
+
+const MINUTES = Number(process.env.SOAK_MINUTES ?? 2);
+/** Until everything has been used once, and every cache is as full as it gets: this much of the time, and no less than a round. */
+const WARM = 0.35;
+/** Bytes that may have been added after that. */
+const GROWTH = 2 * 2 ** 20;
+/** Nodes and listeners that may. */
+const NODES = 400;
+
+// What records a page keeps all of it.
+test.use({ trace: "off" });
+
+const SIZES = [[1280, 720], [360, 740], [800, 600], [1440, 900], [1920, 1080]];
+const PLACES = [
+  "#story&v=1", "#lab&v=1", "#class&v=1", "#lab&v=1&preset=11c&omega=1.7", "#lab&v=1&preset=14b", "#story&v=1&at=fig-12a&theme=dark", "#lab&v=1&language=de&theme=contrast",
+  "#class&v=1&lesson=hopf&step=1", "#class&v=1&lesson=tongue", "#class&v=1&lesson=pitchfork&step=2&language=de", "#story&v=1&11a.omega=1.62&3.view=0.6,0.3&projector=on", "#lab&v=1&pin1.preset=14a&pin1.k0=0.3",
+];
+const KEYS = ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", "End", "+", "-", " ", "Enter", "Escape", "Tab", "Control+z", "Control+y", "Control+Shift+z", "PageDown"];
+
+/** Something on the page that a visitor would touch, by chance: done in the page, where all shadow roots are open. */
+function touch(/** @type {number} */ chance, /** @type {number} */ value) {
+  /** @param {Document | ShadowRoot | Element} root @returns {Element[]} */
+  const all = (root) => [...root.querySelectorAll("*")].flatMap((element) => [element, ...(element.shadowRoot ? all(element.shadowRoot) : [])]);
+  const shown = (/** @type {Element} */ element) => element.checkVisibility() && element.getBoundingClientRect().width > 0;
+  const wanted = "input[type=range], .control input, button.entry, button.reset, button.whole, button.stop, .buttons button, summary, [data-view=class] button, [data-view=class] input, [data-action=undo], [data-action=redo]";
+  // Nothing that saves, prints, speaks or leaves.
+  const barred = /save|speich|download|copy|kopier|print|druck|share|teil|link|file|datei|open|öffne|picture|bild|table|tabelle|sound|ton|full|voll/i;
+  const found = all(document.body).filter((element) => element.matches(wanted) && shown(element) && !barred.test(`${element.textContent} ${element.getAttribute("aria-label")} ${element.className}`));
+  const element = found[Math.floor(chance * found.length)];
+  if (element instanceof HTMLInputElement && ["range", "number", "text"].includes(element.type)) {
+    const [low, high] = element.type === "range" ? [Number(element.min), Number(element.max)] : [0, 2];
+    element.value = String(low + value * (high - low));
+    for (const type of ["input", "change"]) element.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
+  } else if (element instanceof HTMLElement) element.click();
+  return element?.className ?? null;
+}
+
+/** A point on a canvas that is on the screen, or null. @param {Page} page @param {Choose} choose */
+async function canvas(page, choose) {
+  const boxes = await page.evaluate(() =>
+    [...document.querySelectorAll("gear-figure")].flatMap((figure) => {
+      const { left, top, width, height } = figure.shadowRoot?.querySelector("canvas")?.getBoundingClientRect() ?? new DOMRect();
+      return width > 60 && top + height > 40 && top < innerHeight - 40 ? [{ left, top, width, height }] : [];
+    }),
+  );
+  if (boxes.length === 0) return null;
+  const { left, top, width, height } = choose.of(boxes);
+  return { x: left + choose.next() * width, y: top + choose.next() * height };
+}
+
+/** @param {Page} page @param {Choose} choose */
+async function act(page, choose) {
+  switch (choose.integer(0, 19)) {
+    case 0:
+      await page.evaluate((hash) => void (location.hash = hash), choose.of(PLACES));
+      break;
+    case 1: {
+      const [width, height] = choose.of(SIZES);
+      await page.setViewportSize({ width, height });
+      break;
+    }
+    case 2:
+    case 3:
+      await page.evaluate((part) => scrollTo({ top: part * (document.body.scrollHeight - innerHeight), behavior: "instant" }), choose.next());
+      break;
+    case 4:
+    case 5: {
+      const from = await canvas(page, choose);
+      if (from === null) break;
+      await page.mouse.move(from.x, from.y);
+      await page.mouse.down();
+      await page.mouse.move(from.x + choose.number(-150, 150), from.y + choose.number(-100, 100), { steps: 4 });
+      await page.mouse.up();
+      break;
+    }
+    case 6: {
+      const at = await canvas(page, choose);
+      if (at === null) break;
+      await page.mouse.move(at.x, at.y);
+      await page.mouse.wheel(0, choose.number(-300, 300));
+      break;
+    }
+    case 7:
+    case 8:
+    case 9:
+      for (let count = choose.integer(1, 4); count > 0; count -= 1) await page.keyboard.press(choose.of(KEYS));
+      break;
+    default:
+      await page.evaluate(`(${touch})(${choose.next()}, ${choose.next()})`);
+  }
+}
+
+/** Waits until an element's canvas shows what it last computed. @param {Page} page @param {string} id */
+async function settled(page, id) {
+  await page.locator(`#${id}`).evaluate(async (element) => {
+    await /** @type {any} */ (element).data();
+    await /** @type {any} */ (window).__gear.painted(element);
+  });
+}
+
+/** One and the same place, whatever was done before; a link begins a new history. @param {Page} page */
+async function goHome(page) {
+  await page.keyboard.press("Escape");
+  await page.setViewportSize({ width: 1280, height: 720 });
+  // The same address twice would be no link.
+  await page.evaluate(() => void (location.hash = "#lab&v=1"));
+  await settled(page, "lab-T");
+  await page.evaluate(() => void (location.hash = "#story&v=1&theme=light&language=en&projector=off"));
+  await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
+  for (const id of ["fig-1", "fig-T"]) await settled(page, id);
+  await page.evaluate(() => new Promise((resolve) => requestIdleCallback(() => requestAnimationFrame(() => resolve(null)))));
+}
+
+test(`${MINUTES} minutes of random use hold no more memory in the end than after warming up`, async ({ page }) => {
+  test.setTimeout(MINUTES * 60_000 + 180_000);
+  await open(page);
+  const all = await threads(page);
+  const choose = random(5);
+  const begin = performance.now();
+  const until = async (/** @type {number} */ minutes) => {
+    let count = 0;
+    while (performance.now() - begin < minutes * 60_000) {
+      await act(page, choose);
+      count += 1;
+    }
+    return count;
+  };
+  for (const place of PLACES) await page.evaluate((hash) => void (location.hash = hash), place);
+  const before = await until(Math.min(5, WARM * MINUTES));
+  await goHome(page);
+  const warm = await held(all);
+  const after = await until(MINUTES);
+  await goHome(page);
+  const last = await held(all);
+  const grown = Object.fromEntries(Object.entries(last).map(([name, value]) => [name, value - warm[/** @type {keyof typeof warm} */ (name)]]));
+  test.info().annotations.push({ type: "memory", description: JSON.stringify({ actions: [before, after], warm, last, grown }) });
+  process.stdout.write(`soak: ${before} and ${after} actions; ${JSON.stringify({ warm, grown })}\n`);
+  expect(after).toBeGreaterThan(20 * MINUTES);
+  expect(grown.heap + grown.buffers + grown.wasm).toBeLessThan(GROWTH);
+  expect(grown.nodes).toBeLessThan(NODES);
+  expect(grown.listeners).toBeLessThan(NODES);
+});
