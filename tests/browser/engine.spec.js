@@ -121,3 +121,43 @@ test("stroboscopic maps fill in while they are computed", async ({ page }) => {
   expect(lengths.length).toBeGreaterThan(1);
   expect(lengths[0]).toBeLessThan(lengths[lengths.length - 1]);
 });
+
+/** Lets a page be as one whose tab is not shown: no frames come, and it is told so. Runs in the page, before all else. */
+function canSleep() {
+  /** @type {FrameRequestCallback[]} */
+  const held = [];
+  let asleep = false;
+  const frame = window.requestAnimationFrame.bind(window);
+  window.requestAnimationFrame = (callback) => (asleep ? -held.push(callback) : frame(callback));
+  Object.defineProperty(document, "visibilityState", { get: () => (asleep ? "hidden" : "visible") });
+  Object.defineProperty(document, "hidden", { get: () => asleep });
+  Object.assign(window, {
+    sleep: (/** @type {boolean} */ sleeps) => {
+      asleep = sleeps;
+      document.dispatchEvent(new Event("visibilitychange"));
+      if (!asleep) for (const callback of held.splice(0)) frame(callback);
+    },
+  });
+}
+
+test("a page that was hidden in the middle of things goes on when it is shown again", async ({ page }) => {
+  await page.addInitScript(canSleep);
+  await open(page);
+  await data(page, "12a");
+  const { box } = await control(page, "12a", "zeta");
+  const sleep = (/** @type {boolean} */ sleeps) => page.evaluate((value) => /** @type {any} */ (window).sleep(value), sleeps);
+  await box.fill("0.0211");
+  await box.press("Enter");
+  await sleep(true);
+  await box.fill("0.0213");
+  await box.press("Enter");
+  // Other things go on being computed meanwhile.
+  await page.evaluate(() => /** @type {any} */ (window).__gear.engine.compute("12b", { zeta: 0.0204 }));
+  await sleep(false);
+  expect((await data(page, "12a")).params.zeta).toBe(0.0213);
+  await settled(page, "12a");
+  expect(await page.evaluate(() => /** @type {any} */ (window).__gear.engine.pool.replaced)).toBe(0);
+  // And what moves moves on.
+  await figure(page, "1").scrollIntoViewIfNeeded();
+  await figure(page, "1").evaluate((element) => new Promise((resolve) => element.addEventListener("gear-paint", resolve, { once: true })));
+});

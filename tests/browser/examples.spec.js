@@ -34,3 +34,16 @@ for (const name of names) {
     await expect(page.locator("output")).toHaveText("Ω = 1.62", { timeout: 30_000 });
   });
 }
+
+for (const [heading, said] of [["The element", /2T|period/], ["The frame", /Omega = 1\.65/]]) {
+  test(`the example of docs/api.md under "${heading}" runs`, async ({ page, baseURL }) => {
+    const text = readFileSync(new URL("../../docs/api.md", import.meta.url), "utf8");
+    const code = text.split(`\n## ${heading}\n`)[1].match(/```html\n([\s\S]*?)```/)?.[1] ?? "";
+    expect(code).toContain("https://host.example/gear/");
+    const address = `${baseURL}docs/examples/api-opened.html`;
+    const body = `<!doctype html><title>x</title>${code.replaceAll("https://host.example/gear/", `${baseURL}`)}`;
+    await page.route(address, (route) => route.fulfill({ contentType: "text/html", body }));
+    await page.goto(address);
+    await expect(page.locator("output")).toContainText(said, { timeout: 30_000 });
+  });
+}

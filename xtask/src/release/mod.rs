@@ -123,6 +123,7 @@ gear-bifurcations.html  The whole page. Save it, open it by a double click: it n
 figures/                Each figure as a drawing (SVG).
 data/                   Each figure's data as it is drawn (CSV). The first lines, after #, name the figure, its parameters,
                         the method and the estimates of the error. One row a point; a gap parts the pieces of a curve.
+                        A field has a row for each pair of a column and a row; figure E ends with its table.
 CITATION.cff            How to cite it.
 
 The paper: doi:10.1007/s11071-021-07110-x. Licence: MIT or Apache-2.0.
