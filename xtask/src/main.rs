@@ -68,6 +68,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         }
         "test" => check::check(&command::Options::read(rest, &["--only"], &["--quick"])?),
         "fuzz" => fuzz(rest),
+        "soak" => check::soak(&command::Options::read(rest, &["--minutes"], &[])?),
         "bench" => command::Options::read(rest, &[], &["--numbers", "--page"])
             .and_then(|options| bench::bench(&options)),
         "goldens" => {

@@ -126,3 +126,16 @@ fn browser(count: &mut Count) -> Result<(), Failure> {
     let mut playwright = program("npx", &["--no-install", "playwright", "test"]);
     counted(playwright.env("CHROMIUM", chromium).env("GEAR_ADDRESS", address), count::playwright, count)
 }
+
+/// `cargo xtask soak`: random use of the page for a long while.
+pub fn soak(options: &Options) -> Result<(), Failure> {
+    let dist = place::root().join("dist");
+    build::build(&dist)?.report();
+    tools::ensure_node_packages()?;
+    let chromium = tools::ensure_chromium()?;
+    let prefix = Prefix::new(SUB_PATH).ok_or_else(|| Failure::invalid(SUB_PATH, "no plain path"))?;
+    let address = Server::bind(dist, prefix, Some(0))?.in_background();
+    let mut playwright = program("npx", &["--no-install", "playwright", "test", "soak", "--workers=1"]);
+    let minutes = options.value("--minutes").unwrap_or("30");
+    run(playwright.env("CHROMIUM", chromium).env("GEAR_ADDRESS", address).env("SOAK_MINUTES", minutes))
+}
