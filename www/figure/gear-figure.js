@@ -108,6 +108,8 @@ export class GearFigure extends HTMLElement {
   /** Whether the page has opened, and can draw as finely as it likes. */
   #settled = false;
   #life = new AbortController();
+  /** When its turn has come. @type {Promise<void>} */
+  #begun = Promise.resolve();
   /** Whether it was on the screen when it began: the observer says so only after the next frame. */
   #standing = false;
   /** Whether it is on the screen or nearly so. */
@@ -142,6 +144,11 @@ export class GearFigure extends HTMLElement {
     const { signal } = this.#life;
     this.#key = this.id || `figure-${(anonymous += 1)}`;
     this.#reservePlace();
+    let tellBegun = () => {};
+    this.#begun = new Promise((resolve) => {
+      tellBegun = resolve;
+    });
+    signal.addEventListener("abort", tellBegun);
     const sight = new IntersectionObserver((entries) => this.#see(entries[entries.length - 1].isIntersecting), {
       rootMargin: MARGIN,
     });
@@ -168,6 +175,7 @@ export class GearFigure extends HTMLElement {
           begin: (stands) => {
             this.#standing = stands;
             this.#begin(provided, signal);
+            tellBegun();
           },
           signal,
         }),
@@ -195,6 +203,7 @@ export class GearFigure extends HTMLElement {
    */
   async data() {
     await services;
+    if (this.isConnected) await this.#begun;
     if (this.#frame !== 0 || this.#postponed) this.#ask(true);
     if (this.#computation === null) throw new Error("the figure is not in a document");
     return this.#computation.answer;
