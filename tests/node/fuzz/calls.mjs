@@ -153,24 +153,32 @@ function scales(choose) {
 function spoiledFigure({ figures }, choose) {
   const figure = structuredClone(choose.of(figures));
   for (let count = choose.integer(0, 3); count > 0; count -= 1) {
-    /** @type {any} */
-    let place = figure;
-    for (;;) {
-      const names = Object.keys(place);
-      if (names.length === 0) break;
-      const name = choose.of(names);
-      const inner = place[name];
-      if (typeof inner !== "object" || inner === null || choose.chance(0.12)) {
-        // A view takes numbers only; what is not one becomes NaN in it.
-        if (ArrayBuffer.isView(place)) /** @type {any} */ (place)[name] = choose.of([Number.NaN, Infinity, 1e300, -1e9, 0]);
-        else if (choose.chance(0.2)) delete place[name];
-        else place[name] = spoiled(choose, inner);
-        break;
-      }
-      place = inner;
+    try {
+      spoil(choose, figure);
+    } catch {
+      // It came to what an earlier change has put there, which lets nobody look into it.
     }
   }
   return figure;
+}
+
+/** Changes something somewhere in an object. @param {Choose} choose @param {any} object */
+function spoil(choose, object) {
+  for (let place = object; ; ) {
+    const names = Object.keys(place);
+    if (names.length === 0 || place === globalThis) return;
+    const name = choose.of(names);
+    const inner = place[name];
+    if (typeof inner === "object" && inner !== null && !choose.chance(0.12)) {
+      place = inner;
+      continue;
+    }
+    // A view takes numbers only; what is not one becomes NaN in it.
+    if (ArrayBuffer.isView(place)) /** @type {any} */ (place)[name] = choose.of([Number.NaN, Infinity, 1e300, -1e9, 0]);
+    else if (choose.chance(0.2)) delete place[name];
+    else place[name] = spoiled(choose, inner);
+    return;
+  }
 }
 
 /** @param {Known} known @param {Choose} choose */
