@@ -49,6 +49,22 @@ async function keep() {
   }
 }
 
+/**
+ * A file that the browser has cleared from its store since: kept anew, as far as it is still that of this release.
+ *
+ * @param {Cache} store
+ * @param {string} path
+ */
+async function keptAgain(store, path) {
+  try {
+    const answer = await fetched(path);
+    await store.put(key(path), answer.clone());
+    return answer;
+  } catch {
+    return undefined;
+  }
+}
+
 async function forgetOthers() {
   const store = await caches.open(STORE);
   const ours = new Set(Object.keys(RELEASE).map(key));
@@ -77,8 +93,7 @@ worker.addEventListener("fetch", (/** @type {any} */ event) => {
   if (path === undefined) return;
   const answer = async () => {
     const store = await caches.open(STORE);
-    // The browser may have cleared its store since.
-    return (await store.match(key(path))) ?? fetch(event.request);
+    return (await store.match(key(path))) ?? (await keptAgain(store, path)) ?? fetch(event.request);
   };
   event.respondWith(answer());
 });

@@ -25,6 +25,8 @@ export function explainAll(host, selector, explain) {
   tip.className = "tip";
   tip.setAttribute("role", "tooltip");
   tip.popover = "manual";
+  // Before there were popovers it was shown and hidden like anything else.
+  tip.hidden = true;
   const title = document.createElement("b");
   const words = document.createElement("span");
   tip.append(title, " ", words);
@@ -46,7 +48,8 @@ export function explainAll(host, selector, explain) {
     words.textContent = said.words;
     shown = element;
     element.setAttribute("aria-describedby", tip.id);
-    tip.showPopover();
+    tip.hidden = false;
+    tip.showPopover?.();
     place(tip, element);
   };
   const hide = () => {
@@ -54,7 +57,8 @@ export function explainAll(host, selector, explain) {
     if (shown === null) return;
     shown.removeAttribute("aria-describedby");
     shown = null;
-    tip.hidePopover();
+    tip.hidePopover?.();
+    tip.hidden = true;
   };
   /** @param {EventTarget | null} target */
   const explained = (target) => (target instanceof Element ? target.closest(selector) : null);
