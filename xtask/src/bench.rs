@@ -4,7 +4,7 @@ use crate::command::{Options, cargo, output_of, program};
 use crate::serve::{Prefix, Server};
 use crate::{Failure, build, place, tools};
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Lines of a measurement: what, and how long, in microseconds.
@@ -18,8 +18,9 @@ const FIRST_CALLS: usize = 5;
 const DOCUMENT: &str = "docs/benchmarks.md";
 const NUMBERS: &str = "Numbers";
 const PAGE: &str = "The page";
+const OPENINGS: &str = "The single file";
 
-/// Measures, prints and records in docs/benchmarks.md: the numbers, the page, or both.
+/// Measures, prints and records in docs/benchmarks.md: the numbers, the page, the single file in three engines, or all.
 pub fn bench(options: &Options) -> Result<(), Failure> {
     // As it was found: what is measured here keeps it busy itself.
     let machine = machine();
@@ -34,11 +35,12 @@ pub fn bench(options: &Options) -> Result<(), Failure> {
         command.env("CHROMIUM", &chromium).env("GEAR_ADDRESS", &address).env("GEAR_DIST", &dist);
         command
     };
-    let (numbers, page) = (options.flag("--numbers"), options.flag("--page"));
-    if numbers || !page {
+    let [numbers, page, openings] = ["--numbers", "--page", "--openings"].map(|part| options.flag(part));
+    let all = !(numbers || page || openings);
+    if numbers || all {
         record(NUMBERS, &numbers_measured(&machine, &chromium, browser("benches/browser.js"))?)?;
     }
-    if page || !numbers {
+    if page || all {
         println!("the page in Chromium");
         let mut lines = output_of(&mut browser("benches/page.js"))?;
         lines.push_str(&output_of(
@@ -50,7 +52,38 @@ pub fn bench(options: &Options) -> Result<(), Failure> {
             &page_report(&machine, &versions, &lines, [built.gzipped, built.first_visit, built.single])?,
         )?;
     }
+    if openings || all {
+        record(OPENINGS, &openings_report(&machine, &openings_measured(chromium)?))?;
+    }
     Ok(())
+}
+
+/// From opening the single file to its first figure, in each engine.
+fn openings_measured(chromium: PathBuf) -> Result<Measured, Failure> {
+    let engines = [
+        ("chromium", "CHROMIUM", chromium),
+        ("firefox", "FIREFOX", tools::ensure_firefox()?),
+        ("webkit", "WEBKIT_DRIVER", tools::ensure_webkit()?),
+    ];
+    let mut measured = Measured::new();
+    for (engine, variable, path) in engines {
+        println!("the single file in {engine}");
+        let mut node = program("node", &["benches/openings.js"]);
+        measured.extend(read(&output_of(node.env("ENGINE", engine).env(variable, path))?)?);
+    }
+    Ok(measured)
+}
+
+/// How soon the single file shows a figure, as a part of the document.
+fn openings_report(machine: &str, measured: &Measured) -> String {
+    let mut text = format!(
+        "Opened from the disk, 1440 by 900 CSS pixels, until its first figure is drawn; by `benches/openings.js`. The aim is 300 ms.\n\n\
+         Machine: {machine}.\n\n| in | time |\n|---|---:|\n"
+    );
+    for (browser, time) in measured {
+        let _ = writeln!(text, "| {browser} | {} |", microseconds(*time));
+    }
+    text
 }
 
 /// Prints a part of the document and puts it there.
@@ -256,7 +289,9 @@ fn microseconds(time: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Measurements, ceilings, microseconds, page_report, read, renewed, report, whole_of};
+    use super::{
+        Measurements, ceilings, microseconds, openings_report, page_report, read, renewed, report, whole_of,
+    };
 
     #[test]
     fn measurements_are_read_and_rubbish_is_not() {
@@ -267,6 +302,12 @@ mod tests {
         assert!(read("a job 1.5\n").is_err());
         assert_eq!(ceilings("a\t1.5\t2e3\nb\t1\n").unwrap(), [Some(2000.0), None]);
         assert!(ceilings("a\t1.5\tsoon\n").is_err());
+    }
+
+    #[test]
+    fn the_single_file_has_a_row_for_each_engine() {
+        let text = openings_report("box", &vec![("Hare 3, just started".to_owned(), 310_000.0)]);
+        assert!(text.ends_with("| in | time |\n|---|---:|\n| Hare 3, just started | 310 ms |\n"), "{text}");
     }
 
     #[test]

@@ -26,9 +26,11 @@ cargo xtask test  [--quick]             all checks and tests; quick: no wasm lin
                   [--only WORD]         ... only the steps with this word in their name, such as Chromium or Node
 cargo xtask fuzz  [--cases N]           100,000 made-up cases of every call of the module, in Node: hours
                   [--calls branch,...]  ... of these calls; also --seed N, --limit SECONDS, --small, --one NUMBER
-cargo xtask bench [--numbers | --page]  measure natively, in Node and in Chromium; writes docs/benchmarks.md, or that part of it
+cargo xtask bench                       measure natively, in Node, in the browsers; writes docs/benchmarks.md
+                  [--numbers | --page | --openings]  ... only that part of it: the calls, the page, the single file in three engines
 cargo xtask goldens                     draw the figures anew into tests/goldens/
 cargo xtask accuracy                    every reference number beside ours, into docs/accuracy.md
+cargo xtask numbers                     the native answers that every engine is held to, into tests/engines/numbers.json
 cargo xtask dependencies                what is not ours, why and under which terms, into docs/dependencies.md
 cargo xtask release [--out FOLDER]      site, single file, npm package, supplement and checksums of a clean tree (default: release/)
 cargo xtask reproduce                   two builds from nothing, which must be the same to the bit
@@ -69,7 +71,7 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
         "test" => check::check(&command::Options::read(rest, &["--only"], &["--quick"])?),
         "fuzz" => fuzz(rest),
         "soak" => check::soak(&command::Options::read(rest, &["--minutes"], &[])?),
-        "bench" => command::Options::read(rest, &[], &["--numbers", "--page"])
+        "bench" => command::Options::read(rest, &[], &["--numbers", "--page", "--openings"])
             .and_then(|options| bench::bench(&options)),
         "goldens" => {
             command::Options::read(rest, &[], &[])?;
@@ -80,6 +82,11 @@ fn run(arguments: &[String]) -> Result<(), Failure> {
             command::Options::read(rest, &[], &[])?;
             let test = ["test", "--quiet", "--test", "accuracy"];
             command::run(command::cargo(&test).env("ACCURACY", "renew"))
+        }
+        "numbers" => {
+            command::Options::read(rest, &[], &[])?;
+            let test = ["test", "--quiet", "--test", "engines"];
+            command::run(command::cargo(&test).env("ENGINES", "renew"))
         }
         "release" => {
             let options = command::Options::read(rest, &["--out"], &[])?;

@@ -86,14 +86,61 @@ pub fn ensure_chromium() -> Result<PathBuf, Failure> {
     let advice =
         "Install it (Debian, Ubuntu: `apt-get install chromium`), or name one in the variable CHROMIUM.";
     let missing = Failure::Missing { tool: "Chromium", advice };
-    let root = output_of(&mut program("id", &["-u"])).is_ok_and(|id| id.trim() == "0");
-    if !root || find("apt-get").is_none() {
+    if !install("Chromium", &["chromium"])? {
         return Err(missing);
     }
-    println!("installing Chromium");
+    present().ok_or(missing)
+}
+
+/// Where Firefox is: the one named by the variable FIREFOX, one on the search path, or Debian's, installed now.
+pub fn ensure_firefox() -> Result<PathBuf, Failure> {
+    if let Some(given) = std::env::var_os("FIREFOX") {
+        return Ok(PathBuf::from(given));
+    }
+    let present = || ["firefox-esr", "firefox"].iter().find_map(|name| find(name));
+    if let Some(firefox) = present() {
+        return Ok(firefox);
+    }
+    let advice = "Install it (Debian: `apt-get install firefox-esr`), or name one in the variable FIREFOX.";
+    let missing = Failure::Missing { tool: "Firefox", advice };
+    if !install("Firefox", &["firefox-esr"])? {
+        return Err(missing);
+    }
+    present().ok_or(missing)
+}
+
+/// Where `WebKit`'s driver is: the one named by the variable `WEBKIT_DRIVER`, one on the search path, or Debian's, installed
+/// now. It needs a screen: that of Xvfb comes with it.
+pub fn ensure_webkit() -> Result<PathBuf, Failure> {
+    let present = || {
+        let driver =
+            std::env::var_os("WEBKIT_DRIVER").map(PathBuf::from).or_else(|| find("WebKitWebDriver"))?;
+        find("xvfb-run").and(find("xauth")).map(|_| driver)
+    };
+    if let Some(driver) = present() {
+        return Ok(driver);
+    }
+    let advice = "Install it and a screen for it (Debian: `apt-get install webkit2gtk-driver xvfb xauth`); a driver of your own \
+                  may be named in the variable WEBKIT_DRIVER, and its browser in MINI_BROWSER.";
+    let missing = Failure::Missing { tool: "WebKitWebDriver with xvfb-run", advice };
+    if !install("WebKit", &["webkit2gtk-driver", "xvfb", "xauth"])? {
+        return Err(missing);
+    }
+    present().ok_or(missing)
+}
+
+/// Installs Debian packages where we may; `false` where we may not, or where there is no such system.
+fn install(what: &str, packages: &[&str]) -> Result<bool, Failure> {
+    let root = output_of(&mut program("id", &["-u"])).is_ok_and(|id| id.trim() == "0");
+    if !root || find("apt-get").is_none() {
+        return Ok(false);
+    }
+    println!("installing {what}");
     let quietly =
         |arguments: &[&str]| run(program("apt-get", arguments).env("DEBIAN_FRONTEND", "noninteractive"));
     quietly(&["update", "-q"])?;
-    quietly(&["install", "-q", "-y", "--no-install-recommends", "chromium"])?;
-    present().ok_or(missing)
+    let mut arguments = vec!["install", "-q", "-y", "--no-install-recommends"];
+    arguments.extend(packages);
+    quietly(&arguments)?;
+    Ok(true)
 }

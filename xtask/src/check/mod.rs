@@ -7,6 +7,7 @@ use crate::serve::{Prefix, Server};
 use crate::{Failure, build, place, supply, tools};
 use count::Count;
 use std::io::{BufRead, BufReader};
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
@@ -62,6 +63,15 @@ fn steps(check: &mut Run, quick: bool) -> Result<(), Failure> {
     })?;
     if !quick {
         check.step("tests in Chromium", browser)?;
+        check.step("the whole journey in Chromium", |count| {
+            journey("chromium", "CHROMIUM", &tools::ensure_chromium()?, count)
+        })?;
+        check.step("the whole journey in Firefox", |count| {
+            journey("firefox", "FIREFOX", &tools::ensure_firefox()?, count)
+        })?;
+        check.step("the whole journey in WebKit", |count| {
+            journey("webkit", "WEBKIT_DRIVER", &tools::ensure_webkit()?, count)
+        })?;
     }
     Ok(())
 }
@@ -138,4 +148,10 @@ pub fn soak(options: &Options) -> Result<(), Failure> {
     let mut playwright = program("npx", &["--no-install", "playwright", "test", "soak", "--workers=1"]);
     let minutes = options.value("--minutes").unwrap_or("30");
     run(playwright.env("CHROMIUM", chromium).env("GEAR_ADDRESS", address).env("SOAK_MINUTES", minutes))
+}
+
+/// The journey of `tests/engines` in one engine, whose program is named by a variable.
+fn journey(engine: &str, variable: &str, program_path: &Path, count: &mut Count) -> Result<(), Failure> {
+    let mut node = program("node", &["--test", "--test-reporter=spec", "tests/engines/journey.test.mjs"]);
+    counted(node.env("ENGINE", engine).env(variable, program_path), count::node, count)
 }
