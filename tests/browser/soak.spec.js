@@ -26,7 +26,7 @@ const PLACES = [
   "#story&v=1", "#lab&v=1", "#class&v=1", "#lab&v=1&preset=11c&omega=1.7", "#lab&v=1&preset=14b", "#story&v=1&at=fig-12a&theme=dark", "#lab&v=1&language=de&theme=contrast",
   "#class&v=1&lesson=hopf&step=1", "#class&v=1&lesson=tongue", "#class&v=1&lesson=pitchfork&step=2&language=de", "#story&v=1&11a.omega=1.62&3.view=0.6,0.3&projector=on", "#lab&v=1&pin1.preset=14a&pin1.k0=0.3",
 ];
-const KEYS = ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", "End", "+", "-", " ", "Enter", "Escape", "Tab", "Control+z", "Control+y", "Control+Shift+z", "PageDown"];
+const KEYS = ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", "End", "+", "-", " ", "Escape", "Tab", "Control+z", "Control+y", "Control+Shift+z", "PageDown"];
 
 /** Something on the page that a visitor would touch, by chance: done in the page, where all shadow roots are open. */
 function touch(/** @type {number} */ chance, /** @type {number} */ value) {
@@ -157,7 +157,6 @@ test(`${MINUTES} minutes of random use hold no more memory in the end than after
   test.skip(MINUTES === 0, "by command alone");
   test.setTimeout(MINUTES * 60_000 + 600_000);
   await open(page);
-  const all = await threads(page);
   const choose = random(5);
   for (const place of PLACES) await page.evaluate((hash) => void (location.hash = hash), place);
   // A module's memory only grows: as far as its figures need, which chance might ask for early or late.
@@ -176,10 +175,11 @@ test(`${MINUTES} minutes of random use hold no more memory in the end than after
   };
   const before = await until(Math.min(5, WARM * MINUTES));
   await goHome(page);
-  const warm = await held(all);
+  // Asked for anew each time: a worker may have been replaced meanwhile.
+  const warm = await held(await threads(page));
   const after = await until(MINUTES);
   await goHome(page);
-  const last = await held(all);
+  const last = await held(await threads(page));
   const grown = Object.fromEntries(Object.entries(last).map(([name, value]) => [name, value - warm[/** @type {keyof typeof warm} */ (name)]]));
   test.info().annotations.push({ type: "memory", description: JSON.stringify({ actions: [before, after], warm, last, grown }) });
   process.stdout.write(`soak: ${before} and ${after} actions; ${JSON.stringify({ warm, grown })}\n`);
