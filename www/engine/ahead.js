@@ -14,7 +14,8 @@
       // One that cannot come up is nobody's: the next attempt is heard.
       worker.onerror = (event) => {
         event.preventDefault();
-        workers.splice(workers.indexOf(worker), 1);
+        const place = workers.indexOf(worker);
+        if (place >= 0) workers.splice(place, 1);
       };
     }
   } catch {

@@ -18,8 +18,10 @@ export async function keepForOffline() {
   try {
     const registration = await navigator.serviceWorker.register(new URL(SCRIPT, import.meta.url), { updateViaCache: "none" });
     watch(registration);
+    // Asked for at once: when a browser looks by itself after a page has opened is its own affair, and a busy one forgets.
+    if (navigator.serviceWorker.controller !== null) await registration.update();
   } catch {
-    // It works without.
+    // It works without, and without a network there is nothing new.
   }
 }
 
