@@ -87,7 +87,8 @@ test("the table of errors names every code that the declarations have", () => {
   const declarations = readFileSync(new URL("../../www/engine/gear-bifurcations.d.ts", import.meta.url), "utf8");
   const union = declarations.match(/export type GearErrorCode =([\s\S]*?);/)?.[1] ?? "";
   const declared = [...union.matchAll(/"([a-z-]+)"/g)].map((match) => match[1]);
-  const documented = [...text.slice(text.indexOf("## Errors")).matchAll(/^\| `([a-z-]+)` \|/gm)].map((match) => match[1]);
+  const section = text.slice(text.indexOf("## Errors")).split(/\n## /)[0];
+  const documented = [...section.matchAll(/^\| `([a-z-]+)` \|/gm)].map((match) => match[1]);
   assert.deepEqual(documented.filter((code) => code.includes("-") || declared.includes(code)), declared);
   const sources = readFileSync(new URL("../../src/web/errors.rs", import.meta.url), "utf8");
   for (const code of declared.filter((code) => code !== "load")) assert.ok(sources.includes(`"${code}"`), code);
