@@ -47,6 +47,13 @@ fn under_a_load_the_chart_is_about_the_response_to_it() {
             unstable += usize::from(rate > 1e-3);
         }
     }
+    // What it is at rest stands beside it.
+    let rest = figure
+        .drawing
+        .series
+        .iter()
+        .filter(|series| series.meaning.starts_with("exact boundary, second mode:"));
+    assert!(rest.flat_map(|series| &series.y).any(|k0| *k0 > 0.9));
     assert!(compared > 160 && unstable > 5, "{compared} {unstable}");
     assert!(figure.summary.contains("the response to the load is"), "{}", figure.summary);
 }

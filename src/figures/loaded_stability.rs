@@ -2,7 +2,7 @@
 
 use super::compose::{Composer, Line, Points, number};
 use super::job::{Fact, Figure, Slices};
-use super::stability::{first_order, growth_frame};
+use super::stability::{Found, boundary_lines, first_order, growth_frame, named_boundaries};
 use super::tongue_range::range;
 use super::tongues::Setting;
 use crate::chart::drawing::{Drawing, Mark, Role};
@@ -37,6 +37,8 @@ pub(super) fn applies(p: &Parameters) -> bool {
 pub(super) struct LoadedTongues {
     parameters: Parameters,
     work: ChartWork,
+    /// The exact boundaries at rest, which the load moves: none before they are asked for.
+    at_rest: Vec<Found>,
     /// None: not asked for yet.
     here: Option<Result<Multipliers, StudyError>>,
 }
@@ -49,7 +51,12 @@ impl LoadedTongues {
         let (low, high) = range(p);
         let omega = Grid { low: 0.5 * low, high, count: COLUMNS };
         let k0 = Grid { low: 0.0, high: 1.0, count: ROWS };
-        Ok(Self { parameters: *p, work: ChartWork::new(p, omega, k0, TOLERANCE, None)?, here: None })
+        Ok(Self {
+            parameters: *p,
+            work: ChartWork::new(p, omega, k0, TOLERANCE, None)?,
+            at_rest: Vec::new(),
+            here: None,
+        })
     }
 
     fn drawing(&self, chart: &StabilityChart) -> Drawing {
@@ -83,6 +90,11 @@ impl LoadedTongues {
         }
         if let Ok(setting) = Setting::of(p) {
             first_order(&mut composer, frame, &setting);
+        }
+        for found in &self.at_rest {
+            boundary_lines(&mut composer, frame, found, &mut Vec::new(), &|_| {
+                (Role::Reference, "exact, at rest")
+            });
         }
         let word = match &self.here {
             Some(Ok(here)) if here.stable => "stable",
@@ -122,6 +134,16 @@ impl Slices for LoadedTongues {
     fn advance(&mut self) -> Result<bool, FigureError> {
         if self.here.is_none() {
             self.here = Some(multipliers(&self.parameters, 1e-10));
+            let p = Parameters {
+                regime: Regime::Homogeneous,
+                load: 0.0,
+                load_p: 0.0,
+                load_g: 0.0,
+                error: 0.0,
+                ..self.parameters
+            };
+            // What cannot be followed is left out: the field is what is asked for.
+            self.at_rest = named_boundaries(&p, [0.0, 1.0], &mut Vec::new());
             return Ok(false);
         }
         Ok(self.work.advance()?)
@@ -130,7 +152,7 @@ impl Slices for LoadedTongues {
     fn figure(&self, id: &'static str, parameters: &Parameters) -> Figure {
         let chart = self.work.chart();
         let mut notes = vec![
-            "Under this load it is the periodic response whose stability is asked; the formulas are those of rest."
+            "Under this load it is the periodic response whose stability is asked; formulas and thin lines are those of rest."
                 .to_owned(),
         ];
         let done = self.work.done();

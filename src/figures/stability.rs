@@ -45,7 +45,8 @@ const NAMED: [(Tongue, &str, &str); 3] = [
 ];
 
 /// A boundary with the name of its tongue.
-struct Found {
+#[derive(Debug)]
+pub(super) struct Found {
     name: String,
     boundary: TongueBoundary,
 }
@@ -145,9 +146,8 @@ fn distances(p: &Parameters) -> Vec<Distance> {
     pairs.flatten().collect()
 }
 
-/// The boundaries of the three tongues and of the larger ones among the others that the field shows.
-fn boundaries(p: &Parameters, chart: &StabilityChart, notes: &mut Vec<String>) -> Vec<Found> {
-    let depth = [chart.k0.low, chart.k0.high];
+/// The boundaries of the three tongues at rest.
+pub(super) fn named_boundaries(p: &Parameters, depth: [f64; 2], notes: &mut Vec<String>) -> Vec<Found> {
     let mut found: Vec<Found> = Vec::new();
     for (tongue, name, _) in NAMED {
         // Where tongues run into one another at the top, each is followed as far up as it is alone.
@@ -165,6 +165,13 @@ fn boundaries(p: &Parameters, chart: &StabilityChart, notes: &mut Vec<String>) -
             Err(error) => notes.push(format!("The boundary could not be followed ({name}: {error}).")),
         }
     }
+    found
+}
+
+/// The boundaries of the three tongues and of the larger ones among the others that the field shows.
+fn boundaries(p: &Parameters, chart: &StabilityChart, notes: &mut Vec<String>) -> Vec<Found> {
+    let depth = [chart.k0.low, chart.k0.high];
+    let mut found = named_boundaries(p, depth, notes);
     for (index, omega) in unexplained(chart, &found).into_iter().take(MOST_FURTHER).enumerate() {
         // What cannot be followed still shows in the field.
         if let Ok(boundary) = tongue_boundary(p, Tongue::Near(omega), depth, POINTS_FURTHER, BOUNDARY)
@@ -315,7 +322,28 @@ fn kind_words(kind: EdgeKind) -> (&'static str, &'static str) {
 
 /// The boundaries of a tongue. A further one, of which there are several close to each other, has words at it only where
 /// its kind has none yet.
-fn exact(composer: &mut Composer, frame: usize, Found { name, boundary }: &Found, named: &mut Vec<EdgeKind>) {
+fn exact(composer: &mut Composer, frame: usize, found: &Found, named: &mut Vec<EdgeKind>) {
+    let role = |kind| match kind {
+        EdgeKind::PeriodDoubling | EdgeKind::PlusOne => Role::Exact,
+        EdgeKind::NeimarkSacker | EdgeKind::Krein => Role::QuasiPeriodic,
+    };
+    boundary_lines(composer, frame, found, named, &|kind| (role(kind), kind_words(kind).1));
+    let Found { name, boundary } = found;
+    if let Some([omega, k0]) = boundary.tip.filter(|_| !name.starts_with("further")) {
+        let meaning = format!("tip of the tongue, {name}: closed below");
+        let line = Line::new(format!("tip {name}"), meaning, Role::Reference);
+        composer.marks(frame, line, Points::one((omega, k0)));
+    }
+}
+
+/// A line for each kind of boundary that a tongue has, as `look` has it for a kind: role and label.
+pub(super) fn boundary_lines(
+    composer: &mut Composer,
+    frame: usize,
+    Found { name, boundary }: &Found,
+    named: &mut Vec<EdgeKind>,
+    look: &dyn Fn(EdgeKind) -> (Role, &'static str),
+) {
     let further = name.starts_with("further");
     let count = boundary.omega.len();
     let places: Vec<(f64, f64)> =
@@ -342,20 +370,11 @@ fn exact(composer: &mut Composer, frame: usize, Found { name, boundary }: &Found
             }
             start = end;
         }
-        let (meaning, label) = kind_words(kind);
-        let role = match kind {
-            EdgeKind::PeriodDoubling | EdgeKind::PlusOne => Role::Exact,
-            EdgeKind::NeimarkSacker | EdgeKind::Krein => Role::QuasiPeriodic,
-        };
+        let (meaning, (role, label)) = (kind_words(kind).0, look(kind));
         let line =
             Line::new(format!("{name} {}", kind.name()), format!("exact boundary, {name}: {meaning}"), role);
         let line = if further && named.contains(&kind) { line } else { line.label(label, 0.97) };
         named.push(kind);
         composer.add(frame, Mark::Curve, line, points);
-    }
-    if let Some([omega, k0]) = boundary.tip.filter(|_| !further) {
-        let meaning = format!("tip of the tongue, {name}: closed below");
-        let line = Line::new(format!("tip {name}"), meaning, Role::Reference);
-        composer.marks(frame, line, Points::one((omega, k0)));
     }
 }

@@ -87,6 +87,7 @@ export const meanings = [
   ["growth rate about the response to the load", "Wachstumsrate um die Antwort auf die Last"],
   ["no periodic response that grows with the load", "keine periodische Antwort, die mit der Last wächst"],
   ["no response", "keine Antwort"],
+  ["exact, at rest", "exakt, in Ruhe"],
   ["growth rate of the exact linear problem", "Wachstumsrate des exakten linearen Problems"],
   ["hubs, lightening holes, senses of rotation", "Naben, Aussparungen, Drehsinn"],
   ["least load at which the teeth would touch, stable or not", "kleinste Last, bei der die Zähne sich berühren würden, stabil oder nicht"],

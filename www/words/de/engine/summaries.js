@@ -188,8 +188,8 @@ export const summaries = [
     "Bei Omega = {1}, k0 = {2} wurde keine periodische Antwort gefunden, zu der die Last führt.",
   ],
   [
-    "Under this load it is the periodic response whose stability is asked; the formulas are those of rest.",
-    "Unter dieser Last wird nach der Stabilität der periodischen Antwort gefragt; die Formeln sind die der Ruhe.",
+    "Under this load it is the periodic response whose stability is asked; formulas and thin lines are those of rest.",
+    "Unter dieser Last wird nach der Stabilität der periodischen Antwort gefragt; Formeln und dünne Linien sind die der Ruhe.",
   ],
   ["{1} per cent of the field computed so far.", "{1} Prozent des Felds sind bisher berechnet."],
   [
