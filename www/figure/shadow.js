@@ -150,6 +150,8 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
   .stage > canvas { object-fit: contain; }
   .rows { max-block-size: none; overflow: visible; }
   .rows thead th { position: static; }
+  .rows table { font-size: 0.72rem; }
+  .rows th, .rows td { padding-inline: 0.25rem; overflow-wrap: anywhere; }
 }
 `;
 
