@@ -2,7 +2,7 @@
 
 use super::compose::{Composer, Line, Points, number};
 use super::job::{Fact, Figure, Slices};
-use super::stability::{Found, boundary_lines, first_order, growth_frame, named_boundaries};
+use super::stability::{Found, at_rest, boundary_lines, first_order, growth_frame, named_boundaries};
 use super::tongue_range::range;
 use super::tongues::Setting;
 use crate::chart::drawing::{Drawing, Mark, Role};
@@ -134,16 +134,8 @@ impl Slices for LoadedTongues {
     fn advance(&mut self) -> Result<bool, FigureError> {
         if self.here.is_none() {
             self.here = Some(multipliers(&self.parameters, 1e-10));
-            let p = Parameters {
-                regime: Regime::Homogeneous,
-                load: 0.0,
-                load_p: 0.0,
-                load_g: 0.0,
-                error: 0.0,
-                ..self.parameters
-            };
             // What cannot be followed is left out: the field is what is asked for.
-            self.at_rest = named_boundaries(&p, [0.0, 1.0], &mut Vec::new());
+            self.at_rest = named_boundaries(&at_rest(&self.parameters), [0.0, 1.0], &mut Vec::new());
             return Ok(false);
         }
         Ok(self.work.advance()?)

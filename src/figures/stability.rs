@@ -51,17 +51,15 @@ pub(super) struct Found {
     boundary: TongueBoundary,
 }
 
+/// The same pair without its loads, about its state of rest.
+pub(super) fn at_rest(p: &Parameters) -> Parameters {
+    Parameters { regime: Regime::Homogeneous, load: 0.0, load_p: 0.0, load_g: 0.0, error: 0.0, ..*p }
+}
+
 /// # Errors
 /// What the chart fails with. A boundary that cannot be followed is left out, with a note.
 pub(super) fn figure(id: &'static str, parameters: &Parameters) -> Result<Figure, FigureError> {
-    let p = Parameters {
-        regime: Regime::Homogeneous,
-        load: 0.0,
-        load_p: 0.0,
-        load_g: 0.0,
-        error: 0.0,
-        ..*parameters
-    };
+    let p = at_rest(parameters);
     let (low, high) = range(&p);
     let omega = Grid { low: 0.5 * low, high, count: COLUMNS };
     let k0 = Grid { low: 0.0, high: 1.0, count: ROWS };

@@ -16,7 +16,7 @@ use crate::error::StudyError;
 use crate::model::equations::GearPair;
 use crate::model::manifold::onto_manifold;
 use crate::model::parameters::{Parameters, Regime};
-use crate::numerics::characteristic::Characteristic;
+use crate::numerics::characteristic::{Characteristic, Factors};
 use crate::numerics::periodic::{Image, correction};
 
 /// A stability chart under way.
@@ -87,8 +87,10 @@ fn largest(numbers: &[f64]) -> f64 {
 struct Response {
     state: [f64; 6],
     polynomial: Characteristic,
-    /// About the error of the polynomial's coefficients.
-    off: f64,
+    factors: Factors,
+    radius: f64,
+    /// Of the radius, from about the error of the polynomial's coefficients.
+    bound: f64,
 }
 
 impl ChartWork {
@@ -241,17 +243,15 @@ impl ChartWork {
             found = self.grown(&p, &budget);
         }
         if let Some(response) = found {
-            let (factors, top) = factorise(&response.polynomial, 1e-4 * self.tolerance)?;
-            let bound = conditioned(&top, 6, response.off);
+            let Response { state, polynomial, factors, radius, bound } = response;
             self.error = self.error.max(bound);
-            if let Some((radius, expected)) = followed {
+            if let Some((followed, expected)) = followed {
                 let known = &mut self.computed[column];
                 known.compared = true;
-                known.distrusted = (radius - top.radius).abs() > expected.max(SURE * self.tolerance) + bound;
+                known.distrusted = (followed - radius).abs() > expected.max(SURE * self.tolerance) + bound;
             }
             self.known[index] = Known::Found;
-            self.radius[index] = top.radius;
-            let Response { state, polynomial, .. } = response;
+            self.radius[index] = radius;
             self.computed[column].add(Node { row, k0: p.k0, state, polynomial, factors });
         } else {
             self.known[index] = Known::Missing;
@@ -279,8 +279,7 @@ impl ChartWork {
     /// The response near a guess, as fine as its multipliers ask for.
     fn newton(&self, p: &Parameters, guess: [f64; 6], budget: &Budget) -> Option<Response> {
         let coarse = self.orbit(p, guess, (FINE * self.tolerance).clamp(FINEST, 1e-7), budget)?;
-        let top = factorise(&coarse.polynomial, 1e-4 * self.tolerance).ok()?.1;
-        if conditioned(&top, 6, coarse.off) <= self.tolerance {
+        if coarse.bound <= self.tolerance {
             return Some(coarse);
         }
         self.orbit(p, coarse.state, FINEST, budget).or(Some(coarse))
@@ -311,7 +310,9 @@ impl ChartWork {
                 let determinant = (pair.trace() * self.period as f64 * p.mesh_period()).exp();
                 let polynomial = Characteristic::of(&there.1, determinant);
                 let scale = largest(&polynomial.coefficients).max(1.0);
-                return Some(Response { state, polynomial, off: (size + tolerance) * scale });
+                let (factors, top) = factorise(&polynomial, 1e-4 * self.tolerance).ok()?;
+                let bound = conditioned(&top, 6, (size + tolerance) * scale);
+                return Some(Response { state, polynomial, factors, radius: top.radius, bound });
             }
             before = size;
         }
