@@ -14,6 +14,7 @@ import { watchKeys } from "./shell/keys.js";
 import { problemWords, showNotice } from "./shell/notice.js";
 import { recall, remember } from "./shell/preferences.js";
 import { announcer } from "./shell/services.js";
+import { typeAhead } from "./shell/type-ahead.js";
 import { LANGUAGES, SHARED, Store, THEMES, withPreset } from "./state.js";
 import { startStory } from "./story/story.js";
 import { parse } from "./url.js";
@@ -274,9 +275,14 @@ function registerActions() {
     },
   };
   const opening = async (/** @type {"palette" | "settings" | "help"} */ name) => {
-    // What can be taken away is among the actions that the palette lists.
-    const [{ open }] = await Promise.all([import("./shell/tools.js"), name === "palette" ? exporting().catch(() => null) : null]);
-    open(name, { store, actions, singleKeys });
+    const over = name === "palette" ? typeAhead() : null;
+    try {
+      // What can be taken away is among the actions that the palette lists.
+      const [{ open }] = await Promise.all([import("./shell/tools.js"), name === "palette" ? exporting().catch(() => null) : null]);
+      open(name, { store, actions, singleKeys }, over?.());
+    } finally {
+      over?.();
+    }
   };
   const tools = /** @type {const} */ ([["palette", "Ctrl+K"], ["settings", "s"], ["help", "?"]]);
   actions.register(

@@ -128,6 +128,31 @@ test("the palette finds every action by a part of its name, and needs no pointer
   await expect(page.getByRole("combobox", { name: "Preset" })).toHaveValue("13c");
 });
 
+test("what is typed while the palette is fetched is typed into it, and is no key of the page", async ({ page }) => {
+  await open(page);
+  /** @type {(value?: unknown) => void} */
+  let bring = () => {};
+  const brought = new Promise((resolve) => (bring = resolve));
+  await page.route("**/shell/tools.js", async (route) => {
+    await brought;
+    await route.continue();
+  });
+  const theme = () => page.evaluate(() => document.documentElement.dataset.theme);
+  const before = await theme();
+  await page.keyboard.press("Control+K");
+  await page.keyboard.type("tt");
+  await page.keyboard.press("Backspace");
+  await page.keyboard.press("Backspace");
+  await page.keyboard.type("labor");
+  await page.keyboard.press("Enter");
+  expect(await theme()).toBe(before);
+  bring();
+  await expect.poll(() => hash(page)).toBe("#lab");
+  await expect(page.getByRole("dialog")).toHaveCount(0);
+  await page.keyboard.press("t");
+  await expect.poll(theme).not.toBe(before);
+});
+
 test("every action runs from the palette without an error", async ({ page }) => {
   await open(page);
   const count = await page.evaluate(async () => {

@@ -187,7 +187,12 @@ station("the handle on the chart of tongues leads the gears, by the mouse and by
   await until("the address says so", async () => (await hash()) === `#story&v=1&omega=${followed.Omega}&k0=${followed.k0}`);
   await focus({ role: "slider", name: "Ω, mesh frequency over the natural frequency of the mesh", within: "#fig-T" });
   await browser.press("ArrowLeft");
-  await until("the gears follow the key", async () => Number((await browser.evaluate(dataOf, "#fig-1")).params.Omega) < Number(followed.Omega));
+  const stepped = await until("the gears follow the key", async () => {
+    const { params } = await browser.evaluate(dataOf, "#fig-1");
+    return Number(params.Omega) < Number(followed.Omega) && params;
+  });
+  // What comes next goes by the address, which is written when an action is over.
+  await until("the address follows the key", async () => (await hash()) === `#story&v=1&omega=${stepped.Omega}&k0=${stepped.k0}`);
 });
 
 station("what was done is undone by key and button, and a link shows the same elsewhere", async () => {

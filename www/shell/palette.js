@@ -23,9 +23,13 @@ export function found(all, written) {
   return [...fitting.filter(begins), ...fitting.filter((one) => !begins(one))];
 }
 
-/** @param {Actions} actions */
-export function openPalette(actions) {
-  openSheet("palette", (body, close) => {
+/**
+ * @param {Actions} actions
+ * @param {import("./type-ahead.js").Typed} [typed]  What was typed for it before it was there.
+ */
+export function openPalette(actions, typed) {
+  if (typed?.left) return;
+  const sheet = openSheet("palette", (body, close) => {
     const all = actions.possible
       .filter(({ id }) => id !== "palette")
       .map((action) => ({ name: say(action.word, action.values), action }));
@@ -87,8 +91,10 @@ export function openPalette(actions) {
       at = [...list.children].indexOf(option);
       run();
     });
+    box.value = typed?.written ?? "";
     filter();
   });
+  if (typed?.entered) sheet.querySelector("input")?.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
 }
 
 /**

@@ -18,9 +18,10 @@ learn(words);
 /**
  * @param {"palette" | "settings" | "help"} name
  * @param {Tools} tools
+ * @param {import("./type-ahead.js").Typed} [typed]  While the palette was being fetched.
  */
-export function open(name, tools) {
-  if (name === "palette") openPalette(tools.actions);
+export function open(name, tools, typed) {
+  if (name === "palette") openPalette(tools.actions, typed);
   else if (name === "settings") openSettings(tools);
   else openHelp(tools);
 }
