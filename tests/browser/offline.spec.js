@@ -77,27 +77,31 @@ async function visit(page, address) {
   await page.context().setOffline(false);
 }
 
-// The page's question for a new release is left without an answer in Chromium 148, about every other time, after the network
-// was emulated away. Why is still to be understood.
-test.fixme("a new release is offered, not forced", async ({ page }) => {
-  test.setTimeout(120_000);
-  const { address, asked, bringOut, close } = await serve();
-  await visit(page, address);
-  bringOut();
-  await page.reload();
-  await expect(page).toHaveTitle(/^(?!Second)/);
-  const offer = page.getByRole("button", { name: "Load it now" });
-  await expect(offer).toBeVisible({ timeout: 30_000 });
-  // Only what is new was fetched anew.
-  expect(asked.filter((path) => path.endsWith(".wasm"))).toEqual([]);
-  await offer.click();
-  await expect(page).toHaveTitle(/^Second/);
-  const stored = await page.evaluate(async () => {
-    const [store] = await caches.keys();
-    return (await (await caches.open(store)).keys()).filter(({ url }) => url.includes("index.html")).length;
+// A browser looks for a new release with the least of its priorities. Where it draws without a graphics processor, gears that
+// move 60 times a second leave it no time for that, for a minute and more; so they stand still here.
+test.describe("with the gears at rest", () => {
+  test.use({ reducedMotion: "reduce" });
+
+  test("a new release is offered, not forced", async ({ page }) => {
+    test.setTimeout(120_000);
+    const { address, asked, bringOut, close } = await serve();
+    await visit(page, address);
+    bringOut();
+    await page.reload();
+    await expect(page).toHaveTitle(/^(?!Second)/);
+    const offer = page.getByRole("button", { name: "Load it now" });
+    await expect(offer).toBeVisible({ timeout: 30_000 });
+    // Only what is new was fetched anew.
+    expect(asked.filter((path) => path.endsWith(".wasm"))).toEqual([]);
+    await offer.click();
+    await expect(page).toHaveTitle(/^Second/);
+    const stored = await page.evaluate(async () => {
+      const [store] = await caches.keys();
+      return (await (await caches.open(store)).keys()).filter(({ url }) => url.includes("index.html")).length;
+    });
+    expect(stored).toBe(1);
+    close();
   });
-  expect(stored).toBe(1);
-  close();
 });
 
 test("where service workers are refused the page works without", async ({ browser, baseURL }) => {

@@ -34,8 +34,11 @@ function watch(registration) {
   const look = () => {
     if (registration.waiting !== null && navigator.serviceWorker.controller !== null) offer(registration.waiting);
   };
+  const follow = () => registration.installing?.addEventListener("statechange", look);
   look();
-  registration.addEventListener("updatefound", () => registration.installing?.addEventListener("statechange", look));
+  // The browser may have begun by itself, before anybody here listened.
+  follow();
+  registration.addEventListener("updatefound", follow);
 }
 
 /** @param {ServiceWorker} waiting */
