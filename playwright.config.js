@@ -25,7 +25,10 @@ export default defineConfig({
     baseURL: address,
     // Keeping the page for offline use would fetch it a second time in every test; offline.spec.js allows it.
     serviceWorkers: "block",
-    trace: "retain-on-failure",
+    // A recording doubles the time of every test, keeps the pages it has seen and sets their density. When a test fails it
+    // is asked for by `--trace retain-on-failure`.
+    trace: "off",
+    screenshot: "only-on-failure",
     launchOptions,
   },
   projects: [{ name: "chromium", use: { browserName: "chromium" } }],

@@ -3,9 +3,6 @@
 import { stand } from "./chart.js";
 import { expect, figure, open, settled, test } from "./page.js";
 
-// What records a page sets its density again and again.
-test.use({ trace: "off" });
-
 test("a screen of another density gets a picture as sharp as it can show", async ({ page }) => {
   await open(page);
   await stand(page, "2");

@@ -18,9 +18,6 @@ const GROWTH = 2 * 2 ** 20;
 const NODES = 200;
 const LISTENERS = 60;
 
-// What records a page keeps all of it.
-test.use({ trace: "off" });
-
 const SIZES = [[1280, 720], [360, 740], [800, 600], [1440, 900], [1920, 1080]];
 const PLACES = [
   "#story&v=1", "#lab&v=1", "#class&v=1", "#lab&v=1&preset=11c&omega=1.7", "#lab&v=1&preset=14b", "#story&v=1&at=fig-12a&theme=dark", "#lab&v=1&language=de&theme=contrast",
