@@ -16,6 +16,7 @@ import { recall, remember } from "./shell/preferences.js";
 import { announcer } from "./shell/services.js";
 import { typeAhead } from "./shell/type-ahead.js";
 import { LANGUAGES, SHARED, Store, THEMES, withPreset } from "./state.js";
+import { layOutAll, letFarSectionsRest } from "./story/rest.js";
 import { startStory } from "./story/story.js";
 import { parse } from "./url.js";
 import { words as figureWords } from "./words/en/figure.js";
@@ -67,15 +68,20 @@ let waiting = [];
 
 /** A figure that never comes must not hold up the others for longer than this, ms. */
 const OPENING = 2000;
-services.then(() => (all === 0 ? complete() : setTimeout(complete, OPENING)), layOut);
+services.then(() => (all === 0 ? complete() : setTimeout(complete, OPENING)), settle);
+// A story that is not shown at first is laid out piece by piece when it is.
+if (view !== "story" && CSS.supports("overflow-anchor", "auto")) document.documentElement.dataset.opening = "";
+
+/** To be called when the story's heights have changed. @type {(() => void) | null} */
+let measureStory = null;
 
 /** Lays out what `figure/hold-back.js` has kept back and no figure has brought yet. */
-function layOut() {
-  delete document.documentElement.dataset.opening;
+function settle() {
+  measureStory ??= letFarSectionsRest(element('main > [data-view="story"]'));
 }
 
 function complete() {
-  layOut();
+  settle();
   void engine.then((running) => running.complete());
 }
 
@@ -336,6 +342,7 @@ async function chooseLanguage(chosen) {
   speak(chosen, words);
   document.documentElement.lang = chosen;
   translate(document, words);
+  measureStory?.();
 }
 
 store.subscribe((state, before) => {
@@ -345,6 +352,7 @@ store.subscribe((state, before) => {
     scrollTo(0, places.get(state.view) ?? 0);
   }
   if (state.theme !== before.theme || state.projector !== before.projector) showAppearance();
+  if (state.projector !== before.projector) measureStory?.();
   if (state.theme !== before.theme) remember({ theme: state.theme });
   if (state.language !== before.language) {
     remember({ language: state.language });
@@ -364,7 +372,7 @@ function element(selector) {
 }
 
 startStory(element('main > [data-view="story"]'), store, engine);
-addEventListener("beforeprint", layOut);
+addEventListener("beforeprint", layOutAll);
 watchPrinting(paintAll);
 watchFigures();
 provide(services);

@@ -9,7 +9,7 @@
  */
 
 /** As style/story.css has it. */
-const HELD_BACK = ':root[data-opening] main > [data-view="story"] > section:not(.laid-out)';
+const HELD_BACK = ':root[data-opening] main > [data-view="story"]:not([hidden]) > section:not(.laid-out)';
 
 /** Time one turn may take, ms. */
 const BUDGET = 6;

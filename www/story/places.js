@@ -6,6 +6,8 @@
  * @typedef {HTMLElement & {data?: () => Promise<unknown>}} Figure
  */
 
+import { layOutAll } from "./rest.js";
+
 const prefersStill = matchMedia("(prefers-reduced-motion: reduce)");
 
 /**
@@ -114,6 +116,7 @@ function readerMoves(awaited) {
  * @param {ScrollBehavior} behavior
  */
 function show(place, behavior) {
+  layOutAll();
   place.scrollIntoView({ behavior, block: place.tagName === "TR" ? "center" : "start" });
   if (place.tabIndex < 0) place.tabIndex = -1;
   place.focus({ preventScroll: true });
