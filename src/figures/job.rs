@@ -227,6 +227,14 @@ pub(super) trait Slices {
     /// What a study or a formula fails with.
     fn advance(&mut self) -> Result<bool, FigureError>;
 
+    /// Leaves all but one part to others; false, and nothing is changed, where the work cannot be divided.
+    ///
+    /// # Errors
+    /// As for the work's begin.
+    fn divide(&mut self, _part: usize, _parts: usize) -> Result<bool, FigureError> {
+        Ok(false)
+    }
+
     /// The picture so far.
     fn figure(&self, id: &'static str, parameters: &Parameters) -> Figure;
 }
@@ -269,6 +277,23 @@ impl Job {
             _ => Work::Waiting,
         };
         Ok(Self { specification, parameters, start, work })
+    }
+
+    /// Does only one part of the work, counted from 0, of so many that are done side by side: of a field every `parts`-th
+    /// column, from column `part` on. To be asked for before the first [`Job::advance`]. False where the work is not
+    /// divided: then all of it is done.
+    ///
+    /// # Errors
+    /// [`StudyError::Option`] for a part that there is not.
+    pub fn divide(&mut self, part: usize, parts: usize) -> Result<bool, FigureError> {
+        if part >= parts {
+            let allowed = format!("from 0 to {}", parts.max(1) - 1);
+            return Err(StudyError::Option { option: "part", given: part.to_string(), allowed }.into());
+        }
+        match &mut self.work {
+            Work::Slices(work) if parts > 1 => work.divide(part, parts),
+            _ => Ok(false),
+        }
     }
 
     /// Does the next slice of the work, some milliseconds; `true` once there is nothing more to do.

@@ -37,6 +37,8 @@ pub(super) fn applies(p: &Parameters) -> bool {
 pub(super) struct LoadedTongues {
     parameters: Parameters,
     work: ChartWork,
+    /// Which part of how many, counted from 0: every so many columns, from that one on.
+    part: (usize, usize),
     /// The exact boundaries at rest, which the load moves: none before they are asked for.
     at_rest: Vec<Found>,
     /// None: not asked for yet.
@@ -47,13 +49,18 @@ impl LoadedTongues {
     /// # Errors
     /// As [`ChartWork::new`].
     pub(super) fn new(parameters: &Parameters) -> Result<Self, FigureError> {
+        Self::part(parameters, (0, 1))
+    }
+
+    fn part(parameters: &Parameters, part: (usize, usize)) -> Result<Self, FigureError> {
         let p = parameters;
         let (low, high) = range(p);
         let omega = Grid { low: 0.5 * low, high, count: COLUMNS };
         let k0 = Grid { low: 0.0, high: 1.0, count: ROWS };
         Ok(Self {
             parameters: *p,
-            work: ChartWork::new(p, omega, k0, TOLERANCE, None)?,
+            work: ChartWork::new(p, omega, k0, TOLERANCE, Some(part))?,
+            part,
             at_rest: Vec::new(),
             here: None,
         })
@@ -70,13 +77,17 @@ impl LoadedTongues {
             let rate = radius.ln() * omegas[index % omegas.len()] / (periods * std::f64::consts::TAU);
             if rate.is_finite() { rate } else { 0.0 }
         };
-        let rates: Vec<f64> = chart.spectral_radius.iter().enumerate().map(rate).collect();
+        // What others compute looks like its neighbours until it is here.
+        let radius =
+            |index: usize| &chart.spectral_radius[index - index % COLUMNS + self.own(index % COLUMNS)];
+        let rates: Vec<f64> =
+            (0..chart.spectral_radius.len()).map(|index| rate((index, radius(index)))).collect();
         let frame = growth_frame(&mut composer, chart, &rates);
         let missing: Vec<(f64, f64)> = chart
             .spectral_radius
             .iter()
             .enumerate()
-            .filter(|(_, radius)| !radius.is_finite())
+            .filter(|(index, radius)| self.own(index % COLUMNS) == index % COLUMNS && !radius.is_finite())
             .map(|(index, _)| (omegas[index % omegas.len()], depths[index / omegas.len()]))
             .collect();
         let field = Line::new("growth", "growth rate about the response to the load", Role::Growth);
@@ -105,6 +116,14 @@ impl LoadedTongues {
         let line = Line::new("present", meaning, Role::Handle).label(word, 0.0);
         composer.marks(frame, line, Points::one((p.omega, p.k0)));
         composer.drawing()
+    }
+
+    /// The nearest of the columns that are computed here.
+    fn own(&self, column: usize) -> usize {
+        let (part, parts) = self.part;
+        let below = column.saturating_sub(part) / parts * parts + part;
+        let above = below + parts;
+        if column > below && above < COLUMNS && above - column < column - below { above } else { below }
     }
 
     fn summary(&self) -> String {
@@ -139,6 +158,11 @@ impl Slices for LoadedTongues {
             return Ok(false);
         }
         Ok(self.work.advance()?)
+    }
+
+    fn divide(&mut self, part: usize, parts: usize) -> Result<bool, FigureError> {
+        *self = Self::part(&self.parameters, (part, parts))?;
+        Ok(true)
     }
 
     fn figure(&self, id: &'static str, parameters: &Parameters) -> Figure {

@@ -51,6 +51,8 @@ pub struct Specification {
     /// It takes longer than a frame, so that it must not stand in the way of the quick ones; most such figures are
     /// computed step by step, with a partial picture at any time (see [`super::Job`]).
     pub heavy: bool,
+    /// With some parameters its field is computed in parts, by several workers side by side.
+    pub divisible: bool,
 }
 
 const MODAL: &[&str] = &["m", "k"];
@@ -75,6 +77,7 @@ const BLANK: Specification = Specification {
     starts: false,
     aspect: 1.7,
     heavy: false,
+    divisible: false,
 };
 
 const fn determinants(id: &'static str, title: &'static str, caption: &'static str) -> Specification {
@@ -307,6 +310,7 @@ static SPECIFICATIONS: [Specification; 31] = [
             shown.",
         parameters: LINEAR_AT,
         aspect: 1.6,
+        divisible: true,
         ..BLANK
     },
     Specification {

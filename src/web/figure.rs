@@ -11,7 +11,7 @@ use crate::model::parameters::{
 use crate::web::columns::{Record, array};
 use crate::web::drawing;
 use crate::web::errors::WebError;
-use crate::web::options;
+use crate::web::options::{self, Options};
 
 const REGIME_MEANING: &str = "what the tooth force follows: the deviation alone (homogeneous), the teeth always in \
     contact (contact), or contact and separation (backlash)";
@@ -51,23 +51,36 @@ pub fn figure(id: &JsValue, params: &JsValue) -> Result<JsValue, JsValue> {
 pub struct FigureProgress {
     job: Job,
     title: String,
+    divided: bool,
 }
 
-/// Begins a figure that is computed in pieces: `progress(id, params)`.
+/// Most parts of one figure.
+const MOST_PARTS: usize = 64;
+
+/// Begins a figure that is computed in pieces: `progress(id, params, {part, parts})`.
 ///
 /// # Errors
 /// The plain object of a `GearError`.
 #[wasm_bindgen]
-pub fn progress(id: &JsValue, params: &JsValue) -> Result<FigureProgress, JsValue> {
+pub fn progress(id: &JsValue, params: &JsValue, options: &JsValue) -> Result<FigureProgress, JsValue> {
     let id = drawing::figure_id(id)?;
     let given = options::named_values(params)?;
-    let job = Job::new(&id, &given).map_err(WebError::from)?;
+    let options = Options::read(options, &["part", "parts"])?;
+    let parts = options.whole("parts", (1, MOST_PARTS), 1)?;
+    let part = options.whole("part", (0, parts - 1), 0)?;
+    let mut job = Job::new(&id, &given).map_err(WebError::from)?;
+    let divided = job.divide(part, parts).map_err(WebError::from)?;
     let title = drawing::title(&id).map_err(WebError::from)?;
-    Ok(FigureProgress { job, title })
+    Ok(FigureProgress { job, title, divided })
 }
 
 #[wasm_bindgen]
 impl FigureProgress {
+    /// Whether only the part that was asked for is computed; a figure that cannot be divided is computed whole.
+    pub fn divided(&self) -> bool {
+        self.divided
+    }
+
     /// Works for about 15 ms; true when the figure is done.
     ///
     /// # Errors
@@ -97,6 +110,7 @@ fn specification_record(specification: &Specification) -> Record {
         .value("animated", specification.animated)
         .number("aspect", specification.aspect)
         .value("heavy", specification.heavy)
+        .value("divisible", specification.divisible)
 }
 
 /// The controls of a start, with the state in which this figure starts where nothing is said.

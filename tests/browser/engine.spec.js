@@ -122,6 +122,52 @@ test("stroboscopic maps fill in while they are computed", async ({ page }) => {
   expect(lengths[0]).toBeLessThan(lengths[lengths.length - 1]);
 });
 
+test("the chart about the response to a load is computed by all workers, coarse first, and given up by all", async ({ page }) => {
+  await open(page);
+  const seen = await page.evaluate(async () => {
+    const { engine } = /** @type {Tested} */ (/** @type {unknown} */ (window)).__gear;
+    /** @type {[Worker, any][]} */
+    const said = [];
+    const say = Worker.prototype.postMessage;
+    /** @this {Worker} @param {any} message @param {any} more */
+    Worker.prototype.postMessage = function (message, more) {
+      said.push([this, message]);
+      return say.call(this, message, more);
+    };
+    const given = { k0: 0.4, Omega: 1.6, F: 1, alpha: -0.1, regime: "contact" };
+    const values = (/** @type {import("./page.js").Figure} */ { series }) => /** @type {Float64Array} */ (series.find(({ mark }) => mark === "field")?.columns.z);
+    /** @type {number[]} */
+    const rough = [];
+    const abort = new AbortController();
+    const whole = values(await engine.compute("T", given, { partial: (figure) => rough.push(values(figure).length) }));
+    const first = said.splice(0).filter(([, { type }]) => type === "run");
+    const word = await engine.compute("T", { ...given, F: 1.01 }, { signal: abort.signal, partial: () => abort.abort() }).then(
+      () => "answered",
+      (/** @type {Error} */ { name }) => name,
+    );
+    const ended = new Set(said.filter(([, { type }]) => type === "cancel").map(([worker]) => worker)).size;
+    Worker.prototype.postMessage = say;
+    return {
+      workers: new Set(first.map(([worker]) => worker)).size,
+      parts: first.map(([, { part, parts }]) => [part, parts]),
+      size: engine.pool.size,
+      finite: whole.every(Number.isFinite),
+      rough,
+      length: whole.length,
+      word,
+      ended,
+    };
+  });
+  expect(seen.size).toBeGreaterThan(1);
+  expect(seen.workers).toBe(seen.size);
+  expect(seen.parts).toEqual(Array.from({ length: seen.size }, (_, part) => [part, seen.size]));
+  expect(seen.rough.length).toBeGreaterThan(0);
+  expect(new Set(seen.rough)).toEqual(new Set([seen.length]));
+  expect(seen.finite).toBe(true);
+  expect(seen.word).toBe("AbortError");
+  expect(seen.ended).toBe(seen.size);
+});
+
 /** Lets a page be as one whose tab is not shown: no frames come, and it is told so. Runs in the page, before all else. */
 function canSleep() {
   /** @type {FrameRequestCallback[]} */

@@ -30,7 +30,7 @@ test("figures() tells of every figure, with its own defaults", () => {
   );
   allFinite(infos, "figures");
   for (const info of infos) {
-    assert.deepEqual(Object.keys(info), "id title caption parameters turnable animated aspect heavy".split(" "));
+    assert.deepEqual(Object.keys(info), "id title caption parameters turnable animated aspect heavy divisible".split(" "));
     assert.ok(info.title.length > 5 && info.caption.length > 40 && info.aspect > 0.3 && info.aspect < 4);
     assert.ok(info.parameters.length > 0);
     const own = Object.fromEntries(info.parameters.map((/** @type {any} */ control) => [control.name, control.default]));

@@ -6,6 +6,8 @@
 
 /** A figure that is computed in pieces; lives in one instance's memory until `free()`. */
 export interface RawProgress {
+  /** Whether only a part of the figure is computed. */
+  divided(): boolean;
   /** Works for about 15 ms; true when done. */
   advance(): boolean;
   /** What there is so far. */
@@ -39,7 +41,7 @@ export interface Bindings {
   spectrum(params: unknown, options: unknown): unknown;
   figures(): unknown;
   figure(id: unknown, params: unknown): unknown;
-  progress(id: unknown, params: unknown): RawProgress;
+  progress(id: unknown, params: unknown, options: unknown): RawProgress;
   svg(idOrFigure: unknown, params: unknown, options: unknown): unknown;
   draw(idOrFigure: unknown, params: unknown, canvas: unknown, options: unknown): unknown;
   bench(job: unknown, repetitions: unknown): unknown;

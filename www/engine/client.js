@@ -22,6 +22,7 @@
 
 import { GearError, load } from "../../gear-bifurcations.js";
 import { wasm } from "./delivery.js";
+import { merged } from "./parts.js";
 import { Pool, poolSize } from "./pool.js";
 import { PRIORITY } from "./protocol.js";
 
@@ -97,34 +98,71 @@ export class Engine {
         return;
       }
       const heavy = this.figures.get(id)?.heavy ?? false;
-      let ticket = 0;
+      /** @type {number[]} */
+      const tickets = [];
+      const stop = () => tickets.forEach((ticket) => this.#pool.cancel(ticket));
       const abandon = () => {
-        this.#pool.cancel(ticket);
+        stop();
         reject(signal?.reason);
       };
       const over = () => signal?.removeEventListener("abort", abandon);
       const run = () => {
         if (signal?.aborted) return;
-        ticket = this.#pool.run(
-          { id, given, heavy, priority },
-          {
-            partial: (figure) => partial?.(figure),
-            restarted: () => restarted?.(),
-            done: (figure) => {
-              over();
-              resolve(figure);
-            },
-            failed: (error) => {
-              over();
-              reject(new GearError(error));
-            },
-          },
-        );
+        const parts = this.#parts(id, given);
+        const pictures = Array(parts).fill(null);
+        const done = Array(parts).fill(false);
+        for (let part = 0; part < parts; part += 1) {
+          /** @param {Figure} figure */
+          const picture = (figure) => {
+            pictures[part] = figure;
+            return parts === 1 ? figure : merged(pictures, done);
+          };
+          tickets.push(
+            this.#pool.run(
+              { id, given, heavy, priority, part, parts },
+              {
+                partial: (figure) => partial?.(picture(figure)),
+                restarted: () => restarted?.(),
+                done: (figure) => {
+                  done[part] = true;
+                  const all = picture(figure);
+                  if (!done.every(Boolean)) return;
+                  over();
+                  resolve(all);
+                },
+                failed: (error) => {
+                  over();
+                  stop();
+                  reject(new GearError(error));
+                },
+              },
+            ),
+          );
+        }
       };
       signal?.addEventListener("abort", abandon, { once: true });
       if (AT_ONCE.test(id)) run();
       else void this.#opened.then(run);
     });
+  }
+
+  /**
+   * Among how many workers a figure is divided.
+   *
+   * @param {string} id
+   * @param {Given} given
+   */
+  #parts(id, given) {
+    if (!this.figures.get(id)?.divisible) return 1;
+    try {
+      const parts = this.#pool.size;
+      const steps = this.#gear.progress(id, given, { part: 0, parts });
+      steps.return();
+      return steps.divided ? parts : 1;
+    } catch {
+      // What cannot be is said by the worker.
+      return 1;
+    }
   }
 
   /**

@@ -722,6 +722,8 @@ export interface FigureInfo {
   aspect: number;
   /** It takes long enough to be computed step by step with `progress()`. */
   heavy: boolean;
+  /** With some parameters it can be computed in parts, by several workers: see the options of `progress()`. */
+  divisible: boolean;
 }
 
 /** How everything looks; colours, and how thick and large. */
@@ -805,8 +807,16 @@ export interface ProgressStep {
   done: boolean;
 }
 
+/** One of several parts of a figure that are computed side by side, counted from 0. */
+export interface PartOption {
+  part?: number;
+  parts?: number;
+}
+
 /** Steps of a computation; stop it with `return()` (a `for ... of` does so by itself). */
 export interface FigureProgress extends IterableIterator<ProgressStep> {
+  /** Only the part asked for is computed: every `parts`-th column of the field, from column `part` on. False: all of it. */
+  readonly divided: boolean;
   next(): IteratorResult<ProgressStep, undefined>;
   return(): IteratorResult<ProgressStep, undefined>;
   [Symbol.iterator](): FigureProgress;
@@ -839,7 +849,7 @@ export interface Gear {
   spectrum(p?: Parameters, options?: SpectrumOptions): AmplitudeSpectrum;
   figures(): FigureInfo[];
   figure(id: string, p?: Parameters): Figure;
-  progress(id: string, p?: Parameters): FigureProgress;
+  progress(id: string, p?: Parameters, options?: PartOption): FigureProgress;
   svg(idOrFigure: string | Figure, p?: Parameters, options?: SvgOptions): string;
   draw(
     idOrFigure: string | Figure,

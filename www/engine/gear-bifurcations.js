@@ -184,11 +184,13 @@ function createGear(module) {
   /**
    * @param {unknown} id
    * @param {unknown} p
+   * @param {unknown} options
    * @returns {FigureProgress}
    */
-  function progress(id, p) {
+  function progress(id, p, options) {
     /** @type {RawProgress | null} */
-    let job = call((raw) => raw.progress(id, p));
+    let job = call((raw) => raw.progress(id, p, options));
+    const divided = call(() => job?.divided() ?? false);
     const home = bindings;
 
     function stop() {
@@ -200,6 +202,7 @@ function createGear(module) {
 
     /** @type {FigureProgress} */
     const steps = {
+      divided,
       next() {
         const running = job;
         if (!running) return { value: undefined, done: true };

@@ -19,6 +19,8 @@ import { newWorker } from "./delivery.js";
  * @property {Given} given
  * @property {boolean} heavy
  * @property {number} priority
+ * @property {number} part  Which part of the figure, from 0; each has a worker of its own, as far as there are enough.
+ * @property {number} parts  Of how many.
  */
 
 /**
@@ -91,7 +93,7 @@ export class Pool {
    */
   run(wanted, answers) {
     const ticket = ++this.#tickets;
-    const seat = this.#seatFor(wanted.heavy);
+    const seat = this.#seatFor(wanted);
     if (seat.closed) this.#reopen(seat);
     seat.tasks.set(ticket, { wanted, answers, deaths: 0 });
     this.#say(seat, { type: "run", ticket, ...wanted });
@@ -125,8 +127,9 @@ export class Pool {
     for (const seat of this.#seats) this.#say(seat, { type: "pace", firstPictures: false });
   }
 
-  /** @param {boolean} heavy */
-  #seatFor(heavy) {
+  /** @param {Wanted} wanted */
+  #seatFor({ heavy, part, parts }) {
+    if (parts > 1) return this.#seats[part % this.#seats.length];
     const [quick, ...others] = this.#seats;
     if (!heavy || others.length === 0) return quick;
     return others.reduce((least, seat) => (seat.tasks.size < least.tasks.size ? seat : least));

@@ -13,7 +13,7 @@
  * From the page to a worker.
  *
  * @typedef {{type: "start", module: WebAssembly.Module}} Start
- * @typedef {{type: "run", ticket: number, id: string, given: Given, heavy: boolean, priority: number}} Run
+ * @typedef {{type: "run", ticket: number, id: string, given: Given, heavy: boolean, priority: number, part: number, parts: number}} Run
  * @typedef {{type: "cancel", ticket: number}} Cancel
  * @typedef {{type: "ping"}} Ping
  * @typedef {{type: "pace", firstPictures: boolean}} Pace  Whether to stop every computation at its first picture.

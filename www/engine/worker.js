@@ -81,17 +81,13 @@ function comesBefore(one, other) {
  * @param {Job} job
  */
 function step(gear, job) {
-  const { ticket, id, given, heavy } = job.run;
+  const { ticket, id, given, part, parts } = job.run;
   if (told !== ticket) {
     told = ticket;
     post({ type: "step", ticket });
   }
   try {
-    if (!heavy) {
-      finish(job, gear.figure(id, given));
-      return;
-    }
-    job.steps ??= gear.progress(id, given);
+    job.steps ??= gear.progress(id, given, { part, parts });
     job.taken += 1;
     const { value } = job.steps.next();
     if (value === undefined || value.done) {
