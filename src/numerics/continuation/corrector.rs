@@ -27,6 +27,8 @@ pub struct Corrected {
     pub evaluation: Evaluation,
     /// Unit tangent, at an acute angle to the normal of the hyperplane.
     pub tangent: Scaled,
+    /// Whether that was found from a tangent that was given, and is this again.
+    pub given: bool,
     /// Distance of the given place from the branch.
     pub distance: f64,
     /// Largest component of the map's residual at the last evaluation.
@@ -41,8 +43,10 @@ pub(super) const GENTLE: f64 = 10.0;
 pub(super) const STRICTEST: f64 = 1e-3;
 /// The shift of the parameter by which the map is differenced, relative to it.
 const SHIFT: f64 = 1e-6;
-/// Distance from the branch up to which a tangent that was predicted with the place is believed.
-const TRUSTED: f64 = 1e-6;
+/// Distance from the branch up to which a tangent that was predicted with the place is believed, or this many times the
+/// tolerance: what it is off leaves that part of the last correction.
+pub(super) const TRUSTED: f64 = 1e-6;
+const TOLERATED: f64 = 10.0;
 /// Least share of the parameter in a tangent from which the derivative by it is taken.
 const STEEP: f64 = 0.05;
 
@@ -99,6 +103,7 @@ pub fn correct(
         let (state, parameter) = scale.plain(&at);
         let evaluation = family.evaluate(kind, &state, parameter)?;
         let by_tangent = along.filter(|tangent| tangent[6].abs() > STEEP);
+        let given = slope.is_none() && by_tangent.is_some();
         let slope = match (slope, by_tangent) {
             (Some(slope), _) => slope,
             (None, Some(tangent)) => slope_along(&evaluation, tangent, scale),
@@ -112,7 +117,7 @@ pub fn correct(
             return Err(NumericsError::NotFinite { time: 0.0 });
         }
         // A place that is off tells that the tangent is, too.
-        if size > TRUSTED {
+        if size > (TOLERATED * frame.tolerance).max(TRUSTED) {
             along = None;
         }
         let worst = residual.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
@@ -130,7 +135,7 @@ pub fn correct(
                 *peak += (0..6).map(|i| gradient[i] * step[i] * scale.state).sum::<f64>();
             }
             let distance = norm(&minus(&at, place));
-            return Ok(Corrected { at, evaluation, tangent, distance, residual: worst });
+            return Ok(Corrected { at, evaluation, tangent, given, distance, residual: worst });
         }
         last = size;
     }

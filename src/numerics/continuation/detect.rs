@@ -4,7 +4,7 @@
 use super::corrector::{Corrected, Frame, correct};
 use super::predictor::{self, Knot};
 use super::symmetry::Space;
-use super::{Evaluation, Family, Scaled, State, minus, norm, unit};
+use super::{Evaluation, Family, Scaled, State, minus, unit};
 use crate::error::NumericsError;
 use crate::numerics::floquet::{self, Matrix6, Spectrum};
 
@@ -211,10 +211,8 @@ pub struct Search<'a> {
 
 /// Intervals shorter than this part of a unit length are points.
 const SHORTEST: f64 = 1e-11;
-/// Factor of the tolerance of points that only narrow an interval.
-const ROUGH: f64 = 1e3;
-/// A root is near when the places tried for it move by less.
-const CLOSE: f64 = 1e-5;
+/// Part of an interval by which places within it keep away from its ends.
+const LEAST_SHARE: f64 = 1e-6;
 /// Most divisions of one interval.
 const DEEPEST: usize = 48;
 
@@ -270,25 +268,28 @@ impl Search<'_> {
         to: &Point,
         arc: f64,
     ) -> Result<Point, NumericsError> {
-        self.point_within(family, from, to, arc, self.frame.tolerance)
+        self.point_aside(family, from, to, arc, &mut [0.0; 7])
     }
 
-    fn point_within(
+    /// The same with the branch's distance from what the points around lead to, which a place near by has as well: what it
+    /// was there, and is here.
+    fn point_aside(
         &self,
         family: &mut dyn Family,
         from: &Point,
         to: &Point,
         arc: f64,
-        tolerance: f64,
+        aside: &mut Scaled,
     ) -> Result<Point, NumericsError> {
-        let place = if self.knots.len() < 4 {
+        let place = if self.knots.len() < predictor::FEWEST {
             predictor::hermite(&from.knot(), &to.knot(), arc)
         } else {
             predictor::place(self.knots, arc)
         };
         let along = predictor::direction(self.knots, arc);
-        let frame = Frame { tolerance, ..self.frame };
-        let corrected = correct(family, &frame, &place, &self.normal, along.as_ref())?;
+        let from = std::array::from_fn(|i| place[i] + aside[i]);
+        let corrected = correct(family, &self.frame, &from, &self.normal, along.as_ref())?;
+        *aside = minus(&corrected.at, &place);
         let slack = family.slack();
         finish(corrected, arc, self.frame.space, slack)
     }
@@ -314,68 +315,67 @@ impl Search<'_> {
         let (mut at_low, mut at_high) = (value(&low), value(&high));
         let smooth = at_low * at_high < 0.0;
         let mut best = if at_low.abs() < at_high.abs() { low } else { high };
-        // Regula falsi, in which an end that stays has its value halved (Dowell, Jarratt 1971), and after every few
-        // steps that do not halve the interval a bisection.
-        let mut side = 0;
-        let mut width = high.arc - low.arc;
-        // What is far from the root yet need not be known to all digits.
-        let mut fine = !smooth;
+        // The parabola through three points in the test function leads to the root; where it leads out of the interval, and
+        // where the interval does not shrink, it is halved.
+        let mut third: Option<(f64, f64)> = None;
+        let mut aside = [0.0; 7];
+        let mut width = f64::INFINITY;
         for iteration in 1..=DEEPEST {
             let length = high.arc - low.arc;
             if length < SHORTEST {
                 break;
             }
-            let mut share = 0.5;
+            let mut arc = low.arc + 0.5 * length;
             if smooth {
-                let secant = at_low / (at_low - at_high);
-                share = if iteration % 4 == 0 && length > 0.25 * width { 0.5 } else { secant };
+                let slow = iteration % 4 == 0 && length > 0.25 * width;
                 if iteration % 4 == 0 {
                     width = length;
                 }
-                share = share.clamp(1e-6, 1.0 - 1e-6);
+                if !slow {
+                    arc = inverse([(low.arc, at_low), (high.arc, at_high)], third);
+                }
+                // What would be found next to the best point is that point.
+                if iteration > 1 && (arc - best.arc).abs() < SHORTEST {
+                    break;
+                }
+                arc = arc.clamp(low.arc + LEAST_SHARE * length, high.arc - LEAST_SHARE * length);
             }
-            let tolerance = if fine { self.frame.tolerance } else { ROUGH * self.frame.tolerance };
-            let middle = match self.point_within(family, &low, &high, low.arc + share * length, tolerance) {
+            let middle = match self.point_aside(family, &low, &high, arc, &mut aside) {
                 Ok(middle) => middle,
                 // At a crossing of two branches the last places are singular: what is bracketed so far is the answer.
                 Err(_) if length < 1e-5 => break,
                 Err(error) => return Err(error),
             };
-            let moved = norm(&minus(&middle.at, &best.at));
             best = middle;
-            if smooth {
-                let here = value(&middle);
-                if here == 0.0 {
-                    break;
-                }
-                let was_fine = fine;
-                fine |= moved < CLOSE;
-                if (here > 0.0) == (at_low > 0.0) {
-                    (low, at_low) = (middle, here);
-                    if side == -1 {
-                        at_high *= 0.5;
-                    }
-                    side = -1;
-                } else {
-                    (high, at_high) = (middle, here);
-                    if side == 1 {
-                        at_low *= 0.5;
-                    }
-                    side = 1;
-                }
-                if iteration > 2 && was_fine && moved < SHORTEST {
-                    break;
-                }
-            } else if changed(&low, &middle, sign, block) {
-                high = middle;
+            let here = value(&middle);
+            if smooth && here == 0.0 {
+                break;
+            }
+            let below =
+                if smooth { (here > 0.0) == (at_low > 0.0) } else { !changed(&low, &middle, sign, block) };
+            if below {
+                third = Some((low.arc, at_low));
+                (low, at_low) = (middle, here);
             } else {
-                low = middle;
+                third = Some((high.arc, at_high));
+                (high, at_high) = (middle, here);
             }
         }
         let mut point = best;
         point.singular = true;
         Ok(Located { sign, block, turns: turns(from, to), point })
     }
+}
+
+/// Where a function with these values at both ends of an interval is zero: by inverse interpolation through the third
+/// point too, if there is one and the answer lies within.
+fn inverse([(low, at_low), (high, at_high)]: [(f64, f64); 2], third: Option<(f64, f64)>) -> f64 {
+    let secant = low + (high - low) * (at_low / (at_low - at_high));
+    let Some((other, at_other)) = third else { return secant };
+    let quadratic = low * (at_high / (at_low - at_high)) * (at_other / (at_low - at_other))
+        + high * (at_low / (at_high - at_low)) * (at_other / (at_high - at_other))
+        + other * (at_low / (at_other - at_low)) * (at_high / (at_other - at_high));
+    if quadratic > low && quadratic < high { quadratic } else { secant }
 }
 
 /// A corrected place as a point of the branch.

@@ -5,6 +5,8 @@ use super::{Scaled, dot, unit};
 /// Most points that a prediction uses: degree 7. Measured on the branch of tongue 2, that takes a quarter less work
 /// than degree 5; each further degree doubles the rounding of the points.
 pub const MOST: usize = 8;
+/// Fewest points that a polynomial is led through; with fewer, tangents count.
+pub const FEWEST: usize = 4;
 
 /// A point as the predictor sees it: arclength, place and unit tangent.
 pub type Knot = (f64, Scaled, Scaled);
@@ -17,7 +19,7 @@ pub fn place(knots: &[Knot], arc: f64) -> Scaled {
     match knots {
         [] => [0.0; 7],
         [(start, at, tangent)] => std::array::from_fn(|i| at[i] + (arc - start) * tangent[i]),
-        [.., before, last] if knots.len() < 4 => hermite(before, last, arc),
+        [.., before, last] if knots.len() < FEWEST => hermite(before, last, arc),
         _ => {
             let mut sum = [0.0; 7];
             for (index, (here, at, _)) in knots.iter().enumerate() {
@@ -38,7 +40,7 @@ pub fn place(knots: &[Knot], arc: f64) -> Scaled {
 
 /// The unit tangent at an arclength of the polynomial through at least four points; none with fewer.
 pub fn direction(knots: &[Knot], arc: f64) -> Option<Scaled> {
-    if knots.len() < 4 {
+    if knots.len() < FEWEST {
         return None;
     }
     let mut sum = [0.0; 7];

@@ -1,6 +1,6 @@
 //! Following a branch step by step, one way, until it ends.
 
-use super::corrector::{Frame, correct};
+use super::corrector::{Frame, TRUSTED, correct};
 use super::detect::{self, Located, Point, Search, finish};
 use super::predictor::{self, Knot, MOST};
 use super::symmetry::{Group, Space};
@@ -236,6 +236,13 @@ impl Trace {
             return Ok(false);
         }
         let length = predictor::length(stretch, (&last.tangent, &corrected.tangent));
+        if corrected.given && corrected.distance > TRUSTED {
+            // Of the polynomial through the new point the tangent is better by an order than the one predicted.
+            let mut through = knots.clone();
+            through[0] = (last.arc + length, corrected.at, corrected.tangent);
+            corrected.tangent =
+                predictor::direction(&through, last.arc + length).unwrap_or(corrected.tangent);
+        }
         let distance = corrected.distance;
         let point = finish(corrected, last.arc + length, &self.space, family.slack())?;
         if let Some(shrunk) = self.shrinks(family, &last, &point) {
