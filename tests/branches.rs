@@ -8,7 +8,7 @@ use gear_bifurcations::model::parameters::Parameters;
 use gear_bifurcations::study::branch::{
     Branch, BranchEnd, BranchEvent, BranchOptions, Breaks, EventKind, branch,
 };
-use gear_bifurcations::study::diagram::{DiagramOptions, diagram};
+use gear_bifurcations::study::diagram::{Diagram, DiagramOptions, diagram};
 use gear_bifurcations::study::multipliers::multipliers;
 use gear_bifurcations::study::orbit::{OrbitOptions, periodic_orbit};
 use gear_bifurcations::study::poincare::{PoincareOptions, poincare};
@@ -341,6 +341,59 @@ fn multipliers_with_contact_loss_are_those_of_differences() {
     }
 }
 
+/// Whether births are super- or subcritical is what the born branches show, where they show it, and does not depend on
+/// which of two mirrored branches the rounding of a coarser tolerance leads to.
+fn check_criticality(p: &Parameters, found: &Diagram) {
+    let mut shown = 0;
+    for (branch, from) in found.branches.iter().zip(&found.from).skip(1) {
+        let Some((parent, event)) = from else { continue };
+        let (parent, event) = (&found.branches[*parent], &found.branches[*parent].events[*event]);
+        let from_birth: Vec<f64> = branch.value.iter().take(4).map(|value| value - event.value).collect();
+        let [_, first, second, third] = from_birth[..] else { continue };
+        let counts = parent.unstable.get(event.after).zip(parent.unstable.get(event.after + 1));
+        let Some((before, after)) = counts.filter(|(before, after)| before.abs_diff(**after) == 1) else {
+            continue;
+        };
+        // The change of the parameter grows steadily: neither rounding nor a fold.
+        if first.abs() > 1e-6 && second / first > 1.0 && third / second > 1.0 {
+            let rising = parent.value[event.after + 1] > parent.value[event.after];
+            assert_eq!(
+                event.supercritical,
+                Some((first > 0.0) == ((after > before) == rising)),
+                "{event:#?}"
+            );
+            shown += 1;
+        }
+    }
+    assert!(shown >= 10, "{shown}");
+    let coarser = DiagramOptions { tolerance: 1e-9, ..DiagramOptions::new([1.0, 6.0]) };
+    let coarser = diagram(p, &coarser).expect("computes");
+    let all = |diagram: &Diagram| -> Vec<BranchEvent> {
+        diagram.branches.iter().flat_map(|branch| branch.events.clone()).collect()
+    };
+    let (fine, coarse) = (all(found), all(&coarser));
+    let mut compared = 0;
+    for event in fine.iter().filter(|event| event.supercritical.is_some()) {
+        let same = |other: &&BranchEvent| {
+            other.kind == event.kind
+                && (other.value - event.value).abs() < 1e-7
+                && (other.max_u_p - event.max_u_p).abs() < 1e-6
+                && other.supercritical.is_some()
+        };
+        if let Some(other) = coarse.iter().find(same) {
+            assert_eq!(event.supercritical, other.supercritical, "{event:#?}");
+            compared += 1;
+        }
+    }
+    assert!(compared >= 18, "{compared}");
+    // Differences of the parameter along the born branches are rounding here: each of these was told by chance.
+    for (value, expected) in [(3.8099877720, false), (3.8476314622, true), (4.2108456967, true)] {
+        let there =
+            fine.iter().find(|event| (event.value - value).abs() < 1e-7 && event.supercritical.is_some());
+        assert_eq!(there.and_then(|event| event.supercritical), Some(expected), "{value}");
+    }
+}
+
 #[test]
 fn the_diagram_of_figure_10_joins_every_branch_to_its_birth() {
     let p = numbers(&[("Omega", 1.65)]);
@@ -371,6 +424,7 @@ fn the_diagram_of_figure_10_joins_every_branch_to_its_birth() {
         let radius = multipliers(&at, 1e-12).expect("computes").spectral_radius;
         assert!((radius - 1.0).abs() < 1e-8, "{value}: {radius}");
     }
+    check_criticality(&p, &found);
     let tongue_2 = &found.branches[1];
     expect(tongue_2, EventKind::NeimarkSacker, 1.619717349);
     expect(tongue_2, EventKind::Fold, 1.279211051);

@@ -87,7 +87,8 @@ pub struct BranchEvent {
     pub max_u_p: f64,
     /// Greatest |u| of the orbit.
     pub max_u: f64,
-    /// Of a period doubling or pitchfork: the born orbits are on the side where the old one is less stable.
+    /// Of a period doubling or pitchfork: the born orbits are on the side where the old one is less stable; none also where
+    /// that is too near the border between both to be told.
     pub supercritical: Option<bool>,
     /// Index of the point of the branch that it comes after, or is.
     pub after: usize,

@@ -349,6 +349,7 @@ export interface BranchEvent {
   breaks: "sign" | "exchange" | null;
   maxU_p: number;
   maxU: number;
+  /** Of a period doubling or pitchfork; null also where it is too near the border between both to be told. */
   supercritical: boolean | null;
   /** Index of the point that it comes after, or is. */
   after: number;

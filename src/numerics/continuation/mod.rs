@@ -16,6 +16,7 @@
 //! branch switching). Departure: the predictor extrapolates through several points instead of along the tangent.
 
 pub mod corrector;
+pub mod criticality;
 pub mod detect;
 pub mod predictor;
 pub mod step;

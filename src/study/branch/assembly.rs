@@ -2,6 +2,7 @@
 
 use super::{Branch, BranchEnd, BranchEvent, Breaks, EventKind};
 use crate::model::equations::GearPair;
+use crate::numerics::continuation::criticality;
 use crate::numerics::continuation::detect::{Located, Point};
 use crate::numerics::continuation::step::{End, Trace};
 use crate::numerics::continuation::switch::{self, Birth, Nature};
@@ -43,8 +44,8 @@ pub(crate) fn assemble(
     for (side, (trace, sign)) in parts.into_iter().enumerate() {
         let (end, birth) = ended(family, trace);
         ends[side] = end;
-        for (index, located) in trace.found.clone() {
-            let noted = describe(family, trace, index, &located);
+        for (_, located) in trace.found.clone() {
+            let noted = describe(family, trace, &located);
             events.push((sign * located.point.arc, noted));
         }
         if let (Some((parent, nature)), Some(point)) = (birth, trace.points.last()) {
@@ -113,19 +114,13 @@ fn event(
 }
 
 /// What was located, in words.
-fn describe(family: &mut GearFamily, trace: &Trace, index: usize, located: &Located) -> Noted {
+fn describe(family: &mut GearFamily, trace: &Trace, located: &Located) -> Noted {
     let scale = trace.bounds.scale;
     let (nature, birth) = switch::nature(family.group(), trace.path, &trace.space, scale, located);
-    let mut supercritical = None;
-    if let Some(birth) = &birth
-        && !birth.both_ways
-        && let Ok([_, second]) = switch::start(family, birth, &located.point, scale, trace.bounds.tolerance)
-        && let (Some(before), Some(after)) = (trace.points.get(index), trace.points.get(index + 1))
-    {
-        let less_stable_above =
-            (after.linear.outside() > before.linear.outside()) == (after.at[6] > before.at[6]);
-        supercritical = Some((second.at[6] > located.point.at[6]) == less_stable_above);
-    }
+    let supercritical = birth
+        .as_ref()
+        .filter(|birth| !birth.both_ways)
+        .and_then(|birth| criticality::supercritical(family, birth, &located.point, scale));
     let event = event(family, scale, nature, &located.point, supercritical);
     (event, birth.map(|birth| (birth, nature, located.point)), None)
 }

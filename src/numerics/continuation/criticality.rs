@@ -1,0 +1,146 @@
+//! Whether orbits are born at a bifurcation where the old ones are less stable (supercritical) or where they are more stable.
+//!
+//! Along the direction in which the born orbits leave, the map moves a state at distance a by `l a + C a^3`, where l goes
+//! through zero at the bifurcation: at a fixed parameter, the state is sought at each distance that the map moves in no
+//! other way (the reduction of Lyapunov and Schmidt). The born orbits, `a^2 = -l / C`, are where l is above zero if C is
+//! below it. The parameter along the born branch would tell the same, but near its birth the equation for it is singular.
+//!
+//! Source: Yu. A. Kuznetsov, Elements of Applied Bifurcation Theory, 3rd ed. (Springer 2004),
+//! doi 10.1007/978-1-4757-3978-8, sections 4.5 and 5.4. Departure: the coefficient is a quotient of differences instead of
+//! a derivative, as only the map and its first derivative are there.
+
+use super::detect::Point;
+use super::switch::Birth;
+use super::symmetry::Space;
+use super::{Family, Scale, State};
+use crate::numerics::elimination::Factors;
+
+/// The distances tried, over the scale: the first, and how many, each half of the one before.
+const FIRST: f64 = 1e-2;
+const MOST: usize = 14;
+/// Iterations at each distance.
+const ITERATIONS: usize = 16;
+/// Part of a distance by which the last iteration may move the state.
+const SETTLED: f64 = 1e-9;
+/// What rounding makes of the way along the direction, over the scale: twice what was seen at any steepness.
+const ROUNDING: f64 = 1e-13;
+/// How many times that differences have to be.
+const SURE: f64 = 10.0;
+
+/// Whether the born orbits are on the side where the old ones are less stable; none where the coefficient is so near zero,
+/// or the map so steep, that it is not the same at neighbouring distances.
+pub fn supercritical(family: &mut dyn Family, birth: &Birth, at: &Point, scale: Scale) -> Option<bool> {
+    let mut reduced = Reduced::new(family, birth, at, scale)?;
+    let (mut last, mut before) = (None::<(f64, f64)>, None::<f64>);
+    let mut distance = FIRST;
+    for _ in 0..MOST {
+        // What is even in the distance has no part in it.
+        let both = reduced.moved(family, distance).zip(reduced.moved(family, -distance));
+        let Some((there, opposite)) = both else {
+            (last, before, distance) = (None, None, 0.5 * distance);
+            continue;
+        };
+        let rate = 0.5 * (there - opposite) / distance;
+        if let Some((further, other)) = last {
+            // Without l, which is zero but for what the bifurcation was located to.
+            let change = other - rate;
+            let noise = SURE * ROUNDING / distance;
+            let coefficient = change / (further * further - distance * distance);
+            if let Some(before) = before
+                && alike(before, coefficient)
+                && change.abs() > noise
+            {
+                return Some(coefficient < 0.0);
+            }
+            before = Some(coefficient);
+        }
+        last = Some((distance, rate));
+        distance *= 0.5;
+    }
+    None
+}
+
+fn alike(one: f64, other: f64) -> bool {
+    let ratio = one / other;
+    ratio > 0.6 && ratio < 1.0 / 0.6
+}
+
+/// The map about a bifurcation, bordered by the direction of the born branch.
+struct Reduced<'a> {
+    birth: &'a Birth,
+    space: Space,
+    scale: Scale,
+    state: State,
+    parameter: f64,
+    /// The direction, in the coordinates of the space.
+    direction: State,
+    factors: Factors,
+    /// Steps shorter than this may be rounding.
+    shortest: f64,
+    /// The state found last, less the bifurcation's and its part along the direction, over the square of its distance.
+    aside: [State; 2],
+}
+
+impl<'a> Reduced<'a> {
+    fn new(family: &mut dyn Family, birth: &'a Birth, at: &Point, scale: Scale) -> Option<Self> {
+        let space = Space::new(family.group(), birth.path.keeping);
+        let (state, parameter) = scale.plain(&at.at);
+        let state = space.project(&state);
+        let derivative = family.evaluate(birth.path.kind, &state, parameter).ok()?.derivative;
+        let inside = space.inside(&derivative);
+        let towards: State = std::array::from_fn(|i| birth.towards[i]);
+        let direction = space.components(&towards);
+        let size = space.fixed + 1;
+        let mut rows = vec![0.0; size * size];
+        for row in 0..space.fixed {
+            for column in 0..space.fixed {
+                rows[row * size + column] = inside[(row, column)] - f64::from(u8::from(row == column));
+            }
+            rows[row * size + space.fixed] = direction[row];
+            rows[space.fixed * size + row] = direction[row];
+        }
+        let factors = Factors::new(size, rows).ok()?;
+        let shortest = 1e3 * f64::EPSILON * derivative.amax();
+        let aside = [[0.0; 6]; 2];
+        Some(Self { birth, space, scale, state, parameter, direction, factors, shortest, aside })
+    }
+
+    /// By how much the map moves the state at this distance that it moves along the direction only.
+    fn moved(&mut self, family: &mut dyn Family, distance: f64) -> Option<f64> {
+        let fixed = self.space.fixed;
+        let side = usize::from(distance < 0.0);
+        let mut place: State =
+            std::array::from_fn(|i| distance * self.direction[i] + distance * distance * self.aside[side][i]);
+        let (mut along, mut last) = (0.0, f64::INFINITY);
+        for _ in 0..ITERATIONS {
+            let shift = self.space.vector(&place);
+            let state: State = std::array::from_fn(|i| self.state[i] + self.scale.state * shift[i]);
+            let image = family.image(self.birth.path.kind, &state, self.parameter).ok()?;
+            let moved: State = std::array::from_fn(|i| (image[i] - state[i]) / self.scale.state);
+            let moved = self.space.components(&moved);
+            let mut right = vec![0.0; fixed + 1];
+            let off: f64 = (0..fixed).map(|i| self.direction[i] * place[i]).sum();
+            for row in 0..fixed {
+                right[row] = -(moved[row] - along * self.direction[row]);
+            }
+            right[fixed] = distance - off;
+            self.factors.solve(&mut right);
+            let size = right[..fixed].iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+            for row in 0..fixed {
+                place[row] += right[row];
+            }
+            along -= right[fixed];
+            if size <= SETTLED * distance.abs() || (size > 0.5 * last && size < self.shortest) {
+                let square = distance * distance;
+                self.aside[side] =
+                    std::array::from_fn(|i| (place[i] - distance * self.direction[i]) / square);
+                return along.is_finite().then_some(along);
+            }
+            if size.is_nan() || size > 0.7 * last {
+                return None;
+            }
+            last = size;
+        }
+        None
+    }
+}
