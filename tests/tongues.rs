@@ -235,6 +235,25 @@ fn mathieus_characteristic_values_come_out_of_the_same_numerics() {
 }
 
 #[test]
+fn a_narrow_tongue_is_found_from_right_beside_it() {
+    // Narrower than a step of the search, which starts less than a step away.
+    for k0 in [1e-4, 1e-3] {
+        let p = damped(k0, 0.0);
+        for tongue in [Tongue::Primary2, Tongue::Primary3] {
+            let own = tongue_edges(&p, tongue, 1e-10).expect("computes");
+            let (left, right) = (own.left.expect("open"), own.right.expect("open"));
+            for aside in [3e-4, 1e-3, 4e-3] {
+                for start in [left - aside, right + aside] {
+                    let near = tongue_edges(&p, Tongue::Near(start), 1e-10).expect("computes");
+                    let found = near.left.unwrap_or_else(|| panic!("none from {start}: {left} to {right}"));
+                    assert!((found - left).abs() < 1e-8, "{start}: {found} for {left}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn edges_agree_with_the_determinants_of_hill() {
     let mut open = 0;
     for (m, k) in [(1.0, 5.0), (0.4, 2.0), (3.0, 4.0)] {

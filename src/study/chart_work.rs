@@ -324,7 +324,7 @@ impl ChartWork {
     fn grown(&self, p: &Parameters, budget: &Budget) -> Option<Response> {
         let tolerance = (FINE * self.tolerance).clamp(1e-12, 1e-7);
         let options = OrbitOptions { period: self.period, guess: None, tolerance };
-        let state = orbit::grown(p, &options, budget).ok()?;
+        let state = orbit::grown_state(p, &options, budget).ok()?;
         self.newton(p, state, budget)
     }
 

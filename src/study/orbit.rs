@@ -227,42 +227,44 @@ pub fn response(
         let still = newton::Solution { point: trivial_state(p), residual: 0.0, iterations: 0 };
         return describe(p, still.into(), options);
     }
-    if p.regime != Regime::Backlash {
-        return match grown_with_load(p, options, budget) {
-            Ok(solution) => describe(p, solution, options),
-            Err(error @ NumericsError::TooManySteps { .. }) => Err(error.into()),
-            // Folded back before all of the load acts, as under a load at a resonance: what is left may be stable.
-            Err(error) => from_long_motion(p, options, budget).or_else(|_| {
-                let place = through_folds(p, period, options.tolerance, budget).map_err(|_| error)?;
-                describe(p, solve(p, place, options, budget)?, options)
-            }),
-        };
+    match grown(p, options, budget) {
+        Ok(found) => describe(p, found, options),
+        // Whether there is time left or not: with a dead zone a long motion is what leads on.
+        Err(error @ NumericsError::TooManySteps { .. }) if p.regime != Regime::Backlash => Err(error.into()),
+        // Folded back before all of the load acts, as under a load at a resonance: what is left may be stable.
+        Err(error) => from_long_motion(p, options, budget).or_else(|other| {
+            if p.regime == Regime::Backlash {
+                return Err(other);
+            }
+            let place = through_folds(p, period, options.tolerance, budget).map_err(|_| error)?;
+            describe(p, solve(p, place, options, budget)?, options)
+        }),
     }
-    let contact = Parameters { regime: Regime::Contact, ..*p };
-    if let Ok(solution) = grown_with_load(&contact, options, budget)
-        && let Ok(parted) = solve(p, solution.solution.point, options, budget)
-    {
-        return describe(p, parted, options);
-    }
-    from_long_motion(p, options, budget)
 }
 
-/// The state at t = 0 of the response that grows with the load without folding back; with a dead zone, of the one that is
-/// found from it.
+/// The response that grows with the load without folding back; with a dead zone, the one that is found from the one in
+/// permanent contact.
 ///
 /// # Errors
 /// [`NumericsError`] where there is none.
-pub(super) fn grown(
+fn grown(p: &Parameters, options: &OrbitOptions, budget: &Budget) -> Result<Found, NumericsError> {
+    if p.regime != Regime::Backlash {
+        return grown_with_load(p, options, budget);
+    }
+    let touching = grown_with_load(&Parameters { regime: Regime::Contact, ..*p }, options, budget)?;
+    solve(p, touching.solution.point, options, budget)
+}
+
+/// The state at t = 0 of that response.
+///
+/// # Errors
+/// As there.
+pub(super) fn grown_state(
     p: &Parameters,
     options: &OrbitOptions,
     budget: &Budget,
 ) -> Result<[f64; 6], NumericsError> {
-    if p.regime != Regime::Backlash {
-        return Ok(grown_with_load(p, options, budget)?.solution.point);
-    }
-    let contact = Parameters { regime: Regime::Contact, ..*p };
-    let touching = grown_with_load(&contact, options, budget)?;
-    Ok(solve(p, touching.solution.point, options, budget)?.solution.point)
+    Ok(grown(p, options, budget)?.solution.point)
 }
 
 /// Smallest share of the load by which the response is carried on before the search is given up.
