@@ -91,6 +91,9 @@ test("numbers are written as the language writes them", () => {
   assert.equal(number(-1.25), "−1.25");
   assert.equal(number(1 / 3, { digits: 3 }), "0.333");
   assert.equal(number(2, { decimals: 2 }), "2.00");
+  assert.equal(number(-0.075, { digits: 1 }), "−0.08");
+  assert.equal(number(145.45, { decimals: 1 }), "145.5");
+  assert.equal(number(123456, { digits: 3 }), "123000");
   assert.equal(number(-0.001, { decimals: 2 }), "0.00");
   assert.equal(number(12_345_678), "1.2345678 × 10^7");
   assert.equal(number(1e-7, { digits: 2 }), "1.0 × 10^−7");
