@@ -49,14 +49,16 @@ const AT_ONCE = /^(\d|T$)/;
 
 /** What may be computed in the page's own thread, ms: half a frame. */
 const MOMENT = 8;
-/** What takes longer so many times running is left to the workers. */
+/** What takes longer so many times running is left to the workers, */
 const PATIENCE = 3;
+/** so many times: then it may be another matter. */
+const REST = 300;
 
 export class Engine {
   #gear;
   #pool;
-  /** Figures that are not computed in a moment. @type {Set<string>} */
-  #slow = new Set();
+  /** Figures that are not computed in a moment, and how often they are not to be tried. @type {Map<string, number>} */
+  #resting = new Map();
   /** How often each took longer the last times. @type {Map<string, number>} */
   #late = new Map();
   #open = () => {};
@@ -190,33 +192,44 @@ export class Engine {
   }
 
   /**
-   * A figure computed here and now, if it is made of formulas and takes a moment: it is then drawn in the very frame in
-   * which its parameters changed. Null where that would hold up the page; nothing is known of errors then.
+   * Whether a glance at a figure is worth a try: the last were no failures.
+   *
+   * @param {string} id
+   */
+  glances(id) {
+    return this.figures.has(id) && (this.#resting.get(id) ?? 0) <= 0;
+  }
+
+  /**
+   * A figure computed here and now as far as it comes in a moment, as formulas and short motions come wholly and others coarsely:
+   * it is then drawn in the very frame in which its parameters changed. Null where that would hold up the page; nothing is known
+   * of errors then.
    *
    * @param {string} id
    * @param {Given} given
-   * @returns {Figure | null}
+   * @returns {{figure: Figure, done: boolean} | null}
    */
   glance(id, given) {
-    if (this.#slow.has(id) || this.figures.get(id)?.heavy !== false) return null;
-    const begin = performance.now();
-    /** @type {import("../../gear-bifurcations.js").FigureProgress | null} */
-    let steps = null;
-    try {
-      // What cannot be is said by the worker, as for every figure.
-      steps = this.#gear.progress(id, given);
-      const { value } = steps.next();
-      const whole = value?.done === true;
-      // A busy machine makes one call slow, but not one after the other.
-      const late = performance.now() - begin > MOMENT ? (this.#late.get(id) ?? 0) + 1 : 0;
-      this.#late.set(id, late);
-      if (!whole || late >= PATIENCE) this.#slow.add(id);
-      return whole ? value.figure : null;
-    } catch {
+    if (!this.glances(id)) {
+      this.#resting.set(id, (this.#resting.get(id) ?? 0) - 1);
       return null;
-    } finally {
-      steps?.return?.();
     }
+    const begin = performance.now();
+    let last = null;
+    try {
+      for (const step of this.#gear.progress(id, given)) {
+        last = step;
+        if (performance.now() - begin > MOMENT / 2) break;
+      }
+    } catch {
+      // What cannot be is said by the worker, as for every figure.
+      return null;
+    }
+    // A busy machine makes one call slow, but not one after the other.
+    const late = last !== null && performance.now() - begin < MOMENT ? 0 : (this.#late.get(id) ?? 0) + 1;
+    this.#late.set(id, late);
+    if (late >= PATIENCE) this.#resting.set(id, REST);
+    return last;
   }
 
   /**

@@ -8,7 +8,7 @@
 /**
  * @typedef {object} Hooks
  * @property {(given: Given, run: {signal: AbortSignal, partial: (figure: Figure) => void}) => Promise<Figure>} compute
- * @property {(given: Given) => Figure | null} now  What can be had at once.
+ * @property {(given: Given) => {figure: Figure, done: boolean} | null} now  What can be had at once.
  * @property {(figure: Figure, complete: boolean) => void} show
  * @property {(error: Error) => void} fail
  * @property {boolean} heavy  Worth being abandoned halfway; what is quick is awaited instead, so that a picture
@@ -46,8 +46,9 @@ export class Computation {
     const now = this.#hooks.now(given);
     if (now !== null) {
       this.stop();
-      this.#hooks.show(now, true);
-      this.#answer.resolve(now);
+      this.#hooks.show(now.figure, now.done);
+      if (now.done) this.#answer.resolve(now.figure);
+      else void this.#run(given, true);
       return;
     }
     // What is abandoned before its first picture, value after value, would never show one while a slider moves.
@@ -77,17 +78,24 @@ export class Computation {
     this.#answer.reject(error);
   }
 
-  /** @param {Given} given */
-  async #run(given) {
+  /**
+   * @param {Given} given
+   * @param {boolean} [pictured]  There is a picture already, and the first that comes will be no finer.
+   */
+  async #run(given, pictured = false) {
     const run = new AbortController();
     this.#running = run;
-    this.#pictured = false;
+    this.#pictured = pictured;
+    let stale = pictured;
     const isNewest = () => this.#running === run;
     try {
       const figure = await this.#hooks.compute(given, {
         signal: run.signal,
         partial: (partial) => {
           if (!isNewest()) return;
+          const passed = stale;
+          stale = false;
+          if (passed) return;
           this.#pictured = true;
           this.#hooks.show(partial, false);
           if (this.#waiting !== null) {

@@ -21,7 +21,9 @@
 import { createPanel } from "../controls/panel.js";
 import { spoken, spokenFigure } from "../words/engine.js";
 import { decimalSign, onLanguage, say } from "../words/say.js";
+import { withHandleAt } from "./ahead.js";
 import { coarseDensity, density, onAppearance, resolveTheme, wantsStill } from "./appearance.js";
+import { askInFrame, askNoMore } from "./asking.js";
 import { givenByAttributes } from "./attributes.js";
 import { createButtons, wholeButton } from "./bar.js";
 import { Computation } from "./computation.js";
@@ -70,6 +72,8 @@ export class GearFigure extends HTMLElement {
   #figure = null;
   /** As it was computed. @type {Figure | null} */
   #computed = null;
+  /** The same with its handle at a place that has no answer yet. @type {Figure | null} */
+  #ahead = null;
   /** @type {FrameMap[]} */
   #maps = [];
   /** Names of the series that are switched off. @type {Set<string>} */
@@ -99,10 +103,19 @@ export class GearFigure extends HTMLElement {
   #postponed = false;
   /** Whether the answer comes while it is asked for. */
   #asking = false;
+  /** Whether it may be computed in the page's own thread. */
+  #here = false;
   #announced = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #notice;
-  #frame = 0;
+  /** @type {import("./asking.js").Asker} */
+  #asker = {
+    here: () => this.#services?.engine.glances(this.#info?.id ?? "") === true,
+    ask: (here) => this.#ask(false, here),
+    lead: () => {
+      if (this.#computation?.busy && this.inSight) this.#leadHandle();
+    },
+  };
   /** Whether what is drawn has yet to be drawn as finely as it should be. */
   #coarse = false;
   /** Whether the page has opened, and can draw as finely as it likes. */
@@ -190,8 +203,7 @@ export class GearFigure extends HTMLElement {
     this.#computation?.stop();
     this.#clock?.pause();
     clearTimeout(this.#notice);
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    askNoMore(this.#asker);
     forgetPaint(this);
   }
 
@@ -204,7 +216,7 @@ export class GearFigure extends HTMLElement {
   async data() {
     await services;
     if (this.isConnected) await this.#begun;
-    if (this.#frame !== 0 || this.#postponed) this.#ask(true);
+    if (askNoMore(this.#asker) || this.#postponed) this.#ask(true);
     if (this.#computation === null) throw new Error("the figure is not in a document");
     return this.#computation.answer;
   }
@@ -285,7 +297,7 @@ export class GearFigure extends HTMLElement {
     const pixels = this.#coarse ? coarseDensity() : density();
     fitStore(canvas, stage, pixels);
     try {
-      const { frames, looks } = this.#services.engine.draw(this.#figure, canvas, { theme: this.#theme, density: pixels, view: { ...view, decimal: decimalSign() } });
+      const { frames, looks } = this.#services.engine.draw(this.#ahead ?? this.#figure, canvas, { theme: this.#theme, density: pixels, view: { ...view, decimal: decimalSign() } });
       this.#maps = frames;
       this.#legend.show(this.#figure, looks, hidden);
     } catch (thrown) {
@@ -362,6 +374,7 @@ export class GearFigure extends HTMLElement {
     this.#parts.rows.replaceChildren();
     this.#parts.stage.classList.remove("live");
     this.#figure = null;
+    this.#ahead = null;
     this.#maps = [];
     this.#announced = false;
     this.connectedCallback();
@@ -387,7 +400,7 @@ export class GearFigure extends HTMLElement {
           restarted: () => this.#say(say("figure.replaced")),
         }),
       // The first picture of all figures is the workers': here they would come one after another.
-      now: (given) => (this.#questions > 1 && this.inSight ? engine.glance(id, given) : null),
+      now: (given) => (this.#here && this.inSight ? engine.glance(id, given) : null),
       show: (figure, complete) => this.#show(figure, complete),
       fail: (error) => this.#complain(error),
     });
@@ -406,7 +419,7 @@ export class GearFigure extends HTMLElement {
       const given = store.given(this.#key, state);
       if (!sameGiven(given, store.given(this.#key, before))) {
         this.#panel?.show(given);
-        this.#wish();
+        askInFrame(this.#asker);
       }
       const [now, then] = [store.shown(this.#key, state), store.shown(this.#key, before)];
       if (now !== then) this.#face(now.view);
@@ -554,15 +567,12 @@ export class GearFigure extends HTMLElement {
     for (const problem of problems) this.#complain(this.#services.error(problem));
   }
 
-  /** Asks for the newest parameters once a frame, however many there were. */
-  #wish() {
-    if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#ask());
-  }
-
-  /** @param {boolean} [wanted]  Somebody waits for the answer, seen or not. */
-  #ask(wanted = false) {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+  /**
+   * @param {boolean} [wanted]  Somebody waits for the answer, seen or not.
+   * @param {boolean} [here]  It may be answered here.
+   */
+  #ask(wanted = false, here = false) {
+    askNoMore(this.#asker);
     this.#questions += 1;
     // What has no place on the page, in a view that is not shown, must not take time from what has.
     this.#postponed = !wanted && !isHeldBack(this) && this.clientWidth === 0;
@@ -571,10 +581,28 @@ export class GearFigure extends HTMLElement {
     this.#notice = setTimeout(() => {
       this.#say(say("figure.computing"));
       this.#showBusy(true);
+      if (this.#ahead !== null) this.#leadHandle(true);
     }, NOTICEABLE);
     this.#asking = true;
+    this.#here = here && this.#questions > 1;
     this.#computation?.wish(this.#given);
     this.#asking = false;
+  }
+
+  /** @param {boolean} [silent]  See `withHandleAt`. */
+  #leadHandle(silent) {
+    if (this.#figure === null) return;
+    const led = withHandleAt(this.#figure, (name) => this.#valueOf(name), silent);
+    if (led === this.#figure) return;
+    this.#ahead = led;
+    this.#paintNow();
+  }
+
+  /** What a parameter is at present; null for what is none of the figure's. @param {string} name */
+  #valueOf(name) {
+    const info = this.#info?.parameters.find((one) => one.name === name);
+    const value = this.#given[name] ?? info?.default;
+    return info !== undefined && typeof value === "number" ? value : null;
   }
 
   /**
@@ -584,6 +612,7 @@ export class GearFigure extends HTMLElement {
   #show(figure, complete) {
     const first = this.#figure === null;
     this.#computed = figure;
+    this.#ahead = null;
     figure = this.#told(figure);
     this.#figure = figure;
     if (this.#clock) this.#clock.motion = figure.motion;
@@ -654,6 +683,7 @@ export class GearFigure extends HTMLElement {
       this.#buildPanel();
     }
     if (this.#computed === null) return;
+    this.#ahead = null;
     this.#figure = this.#told(this.#computed);
     if (this.#figure.table !== null) {
       this.#parts.rows.replaceChildren();

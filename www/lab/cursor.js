@@ -51,6 +51,7 @@ export class Cursor {
   #pins = [];
   /** @type {HTMLElement[]} */
   #flags = [];
+  #due = false;
 
   /**
    * @param {HTMLElement} home  The place of both charts, to which everything here is relative.
@@ -110,7 +111,17 @@ export class Cursor {
     return this.#range;
   }
 
+  /** Puts everything in its place, once for all that asks for it in one go: to ask where the charts are has them laid out. */
   show() {
+    if (this.#due) return;
+    this.#due = true;
+    queueMicrotask(() => {
+      this.#due = false;
+      this.#show();
+    });
+  }
+
+  #show() {
     this.#align();
     const map = mapOf(this.#chart) ?? mapOf(this.#branches);
     const owner = mapOf(this.#chart) === null ? this.#branches : this.#chart;
