@@ -34,12 +34,12 @@ const SCREENS = [
       { name: "story-wide-light", size: WIDE },
       { name: "story-wide-dark", size: WIDE, scheme: "dark" },
       { name: "story-print", size: SHEET, paper: true },
-      { name: "lab-wide-light", size: WIDE, hash: "#lab" },
-      { name: "lab-wide-dark", size: WIDE, scheme: "dark", hash: "#lab" },
+      { name: "lab-wide-light", size: WIDE, hash: "#lab&v=1" },
+      { name: "lab-wide-dark", size: WIDE, scheme: "dark", hash: "#lab&v=1" },
       { name: "lab-projector", size: ROOM, hash: "#lab&v=1&projector=on" },
-      { name: "class-wide-light", size: WIDE, hash: "#class" },
-      { name: "class-wide-dark", size: WIDE, scheme: "dark", hash: "#class" },
-      { name: "class-projector", size: ROOM, hash: "#class&v=1&projector=on" },
+      { name: "class-wide-light", size: WIDE, hash: "#class&v=1&lesson=tongue" },
+      { name: "class-wide-dark", size: WIDE, scheme: "dark", hash: "#class&v=1&lesson=tongue" },
+      { name: "class-projector", size: ROOM, hash: "#class&v=1&lesson=tongue&projector=on" },
     ],
   },
   {
@@ -47,10 +47,10 @@ const SCREENS = [
     screens: [
       { name: "story-phone-light", size: PHONE },
       { name: "story-phone-dark", size: PHONE, scheme: "dark" },
-      { name: "lab-phone-light", size: PHONE, hash: "#lab" },
-      { name: "lab-phone-dark", size: PHONE, scheme: "dark", hash: "#lab" },
-      { name: "class-phone-light", size: PHONE, hash: "#class" },
-      { name: "class-phone-dark", size: PHONE, scheme: "dark", hash: "#class" },
+      { name: "lab-phone-light", size: PHONE, hash: "#lab&v=1" },
+      { name: "lab-phone-dark", size: PHONE, scheme: "dark", hash: "#lab&v=1" },
+      { name: "class-phone-light", size: PHONE, hash: "#class&v=1&lesson=tongue" },
+      { name: "class-phone-dark", size: PHONE, scheme: "dark", hash: "#class&v=1&lesson=tongue" },
     ],
   },
 ];
@@ -77,7 +77,7 @@ try {
  * @param {import("@playwright/test").Page} page
  * @param {Screen} screen
  */
-async function take(page, { name, size, scheme = "light", hash = "#story", first = false, paper = false }) {
+async function take(page, { name, size, scheme = "light", hash = "#story&v=1", first = false, paper = false }) {
   await page.setViewportSize(size);
   await page.emulateMedia({ colorScheme: scheme, media: "screen" });
   await page.evaluate((wanted) => {

@@ -87,6 +87,9 @@ test("both charts on the left have a mesh frequency at the same pixel, and one c
 test("the handle on the chart of tongues moves every chart, and one undo takes the drag back", async ({ page }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await enter(page);
+  // The two charts stand one above the other when both are there.
+  await chart(page, "B").evaluate(async (element) => void (await /** @type {GearFigure} */ (element).data()));
+  await expect.poll(async () => Math.abs((await at(page, "T", 2.6, 0.4)).x - (await at(page, "B", 2.6, 1)).x)).toBeLessThan(0.75);
   const [from, to] = [await at(page, "T", 1.65, 0.5), await at(page, "T", 2.6, 0.4)];
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();

@@ -130,6 +130,7 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 :host([fit]) :is(.panel-place, .rows) { display: none; }
 :host([fit]) .legend { min-block-size: 0; margin-inline: 0; }
 :host([fit][figure="1"]) .legend { display: none; }
+:host([fit][figure="B"]) .legend { flex-wrap: wrap; align-content: start; min-block-size: 3.125rem; }
 :host([fit]) .legend > .entry { min-block-size: 1.5rem; padding-block: 0; font-size: 0.8125rem; }
 :host([fit]) .bar { position: absolute; inset-block-start: -1.6rem; inset-inline: 45% 0; min-block-size: 1.5rem; margin: 0; grid-template-columns: minmax(0, 1fr) auto; }
 :host([fit]) .readout { text-align: end; white-space: nowrap; text-overflow: ellipsis; }

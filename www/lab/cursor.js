@@ -78,6 +78,8 @@ export class Cursor {
     home.append(this.#picture, this.#line);
     this.#listen();
     for (const { figure } of [chart, branches]) figure.addEventListener("gear-paint", () => this.show());
+    // What was held still while a hand was on it.
+    for (const end of ["pointerup", "pointercancel"]) home.addEventListener(end, () => requestAnimationFrame(() => this.show()));
   }
 
   /** The motion's greatest `|u_p|` at its mesh frequency, or nothing known of it. @param {Place | null} place */
@@ -194,6 +196,8 @@ export class Cursor {
   #align() {
     const [above, below] = [mapOf(this.#chart), mapOf(this.#branches)];
     const [one, other] = [this.#chart.figure, this.#branches.figure];
+    // A chart that moved under the hand would put the handle where nobody dragged it.
+    if ([one, other, this.#knob].some((part) => part.matches(":active"))) return;
     if (above === null || below === null) {
       for (const figure of [one, other]) inset(figure, 0, 0);
       return;
