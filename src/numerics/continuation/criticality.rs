@@ -15,13 +15,18 @@ use super::symmetry::Space;
 use super::{Family, Scale, State};
 use crate::numerics::elimination::Factors;
 
-/// The distances tried, over the scale: the first, and how many, each half of the one before.
+/// The distances tried, over the scale: the first, and how many.
 const FIRST: f64 = 1e-2;
-const MOST: usize = 14;
+const MOST: usize = 10;
+/// The next distance after one at which the state was found, and after one at which it was not.
+const NEARER: f64 = 0.5;
+const MUCH_NEARER: f64 = 0.2;
 /// Iterations at each distance.
-const ITERATIONS: usize = 16;
-/// Part of a distance by which the last iteration may move the state.
-const SETTLED: f64 = 1e-9;
+const ITERATIONS: usize = 10;
+/// Part of the square of a distance by which the last iteration may move the state.
+const SETTLED: f64 = 1e-4;
+/// A rate so much greater than what it is at the bifurcation, where that is zero to all that can be located.
+const CLEAR: f64 = 1e-6;
 /// What rounding makes of the way along the direction, over the scale: twice what was seen at any steepness.
 const ROUNDING: f64 = 1e-13;
 /// How many times that differences have to be.
@@ -35,13 +40,19 @@ pub fn supercritical(family: &mut dyn Family, birth: &Birth, at: &Point, scale: 
     let mut distance = FIRST;
     for _ in 0..MOST {
         // What is even in the distance has no part in it.
-        let both = reduced.moved(family, distance).zip(reduced.moved(family, -distance));
+        let both = reduced
+            .moved(family, distance)
+            .and_then(|there| Some((there, reduced.moved(family, -distance)?)));
         let Some((there, opposite)) = both else {
-            (last, before, distance) = (None, None, 0.5 * distance);
+            (last, before, distance) = (None, None, MUCH_NEARER * distance);
             continue;
         };
         let rate = 0.5 * (there - opposite) / distance;
         if let Some((further, other)) = last {
+            let whole = [other / (further * further), rate / (distance * distance)];
+            if rate.abs() > CLEAR && alike(whole[0], whole[1]) {
+                return Some(rate < 0.0);
+            }
             // Without l, which is zero but for what the bifurcation was located to.
             let change = other - rate;
             let noise = SURE * ROUNDING / distance;
@@ -55,7 +66,7 @@ pub fn supercritical(family: &mut dyn Family, birth: &Birth, at: &Point, scale: 
             before = Some(coefficient);
         }
         last = Some((distance, rate));
-        distance *= 0.5;
+        distance *= NEARER;
     }
     None
 }
@@ -130,7 +141,7 @@ impl<'a> Reduced<'a> {
                 place[row] += right[row];
             }
             along -= right[fixed];
-            if size <= SETTLED * distance.abs() || (size > 0.5 * last && size < self.shortest) {
+            if size <= SETTLED * distance * distance || (size > 0.5 * last && size < self.shortest) {
                 let square = distance * distance;
                 self.aside[side] =
                     std::array::from_fn(|i| (place[i] - distance * self.direction[i]) / square);
