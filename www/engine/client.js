@@ -225,10 +225,11 @@ export class Engine {
       // What cannot be is said by the worker, as for every figure.
       return null;
     }
-    // A busy machine makes one call slow, but not one after the other.
-    const late = last !== null && performance.now() - begin < MOMENT ? 0 : (this.#late.get(id) ?? 0) + 1;
+    // A busy machine makes one call slow, but not one after the other, and not so slow.
+    const took = performance.now() - begin;
+    const late = last !== null && took < MOMENT ? 0 : (this.#late.get(id) ?? 0) + 1;
     this.#late.set(id, late);
-    if (late >= PATIENCE) this.#resting.set(id, REST);
+    if (late >= PATIENCE || took > 2 * MOMENT) this.#resting.set(id, REST);
     return last;
   }
 

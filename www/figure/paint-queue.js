@@ -5,8 +5,11 @@
  * @typedef {{readonly inSight: boolean, paint(): void}} Painter
  */
 
-/** Time a frame may spend on drawing before the rest waits for the next one, ms. */
-const BUDGET = 24;
+/**
+ * Time a frame may spend on drawing before the rest waits for the next one, ms. One figure is always drawn, and one that is drawn for
+ * the first time takes as long again; layout and the browser's own painting come on top.
+ */
+const BUDGET = 12;
 
 /** @type {Set<Painter>} */
 const waiting = new Set();
