@@ -49,18 +49,20 @@ const AT_ONCE = /^(\d|T$)/;
 
 /** What may be computed in the page's own thread, ms: half a frame. */
 const MOMENT = 8;
-/** What takes longer so many times running is left to the workers, */
+/** What takes longer so many times running, or once twice as long, is left to the workers, */
 const PATIENCE = 3;
-/** so many times: then it may be another matter. */
-const REST = 300;
+/** so many times at first; each time it is no better when it is tried again, for twice as many, up to the most. */
+const REST = Object.freeze({ least: 2, most: 1024 });
 
 export class Engine {
   #gear;
   #pool;
-  /** Figures that are not computed in a moment, and how often they are not to be tried. @type {Map<string, number>} */
-  #resting = new Map();
-  /** How often each took longer the last times. @type {Map<string, number>} */
-  #late = new Map();
+  /**
+   * How glances at each figure went: how many took too long running, how often it is not to be tried now, and the next time.
+   *
+   * @type {Map<string, {late: number, left: number, rest: number}>}
+   */
+  #glances = new Map();
   #open = () => {};
   /** @type {Promise<void>} */
   #opened = new Promise((resolve) => {
@@ -192,12 +194,15 @@ export class Engine {
   }
 
   /**
-   * Whether a glance at a figure is worth a try: the last were no failures.
+   * Whether a glance at a figure is worth a try: to be asked once for each, for it counts down where the last took too long.
    *
    * @param {string} id
    */
   glances(id) {
-    return this.figures.has(id) && (this.#resting.get(id) ?? 0) <= 0;
+    const past = this.#glances.get(id);
+    if (past === undefined || past.left === 0) return this.figures.has(id);
+    past.left -= 1;
+    return false;
   }
 
   /**
@@ -210,10 +215,8 @@ export class Engine {
    * @returns {{figure: Figure, done: boolean} | null}
    */
   glance(id, given) {
-    if (!this.glances(id)) {
-      this.#resting.set(id, (this.#resting.get(id) ?? 0) - 1);
-      return null;
-    }
+    const past = this.#glances.get(id) ?? { late: 0, left: 0, rest: REST.least };
+    this.#glances.set(id, past);
     const begin = performance.now();
     let last = null;
     try {
@@ -227,9 +230,9 @@ export class Engine {
     }
     // A busy machine makes one call slow, but not one after the other, and not so slow.
     const took = performance.now() - begin;
-    const late = last !== null && took < MOMENT ? 0 : (this.#late.get(id) ?? 0) + 1;
-    this.#late.set(id, late);
-    if (late >= PATIENCE || took > 2 * MOMENT) this.#resting.set(id, REST);
+    if (last !== null && took < MOMENT) Object.assign(past, { late: 0, rest: REST.least });
+    else past.late += 1;
+    if (past.late >= PATIENCE || took > 2 * MOMENT) Object.assign(past, { left: past.rest, rest: Math.min(2 * past.rest, REST.most) });
     return last;
   }
 

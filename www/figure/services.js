@@ -29,7 +29,7 @@
  * @property {ReadonlyMap<string, FigureInfo>} figures
  * @property {ReadonlyMap<string, ParameterInfo>} vocabulary
  * @property {(id: string, given: Given, options: ComputeOptions) => Promise<Figure>} compute
- * @property {(id: string) => boolean} glances  Whether a glance at this figure is worth a try.
+ * @property {(id: string) => boolean} glances  Whether a glance at this figure is worth a try; asked once for each.
  * @property {(id: string, given: Given) => {figure: Figure, done: boolean} | null} glance  What comes of it here in a moment; null for nothing.
  * @property {(id: string, given: Given, time: number) => {figure: Figure, done: boolean} | null} within  What can be computed here in so many ms.
  * @property {(figure: Figure, canvas: HTMLCanvasElement, options: DrawOptions) => {frames: FrameMap[], looks: SeriesLook[]}} draw
