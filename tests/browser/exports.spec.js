@@ -163,6 +163,8 @@ test("every entry of the menu gives what it says", async ({ page, context }) => 
 });
 
 test("a saved figure brings the page back to where it was, and a wrong file changes nothing", async ({ page }) => {
+  // Listened for from the first: a dialog is caught only some time after that has been asked for.
+  const chooser = page.waitForEvent("filechooser", { timeout: 110_000 });
   await page.goto("./?test#lab&v=1&preset=11c&omega=1.7&pin1.k0=0.3&theme=dark&lab-P.window.map=-4..4,-3..3");
   const figure = page.locator("#lab-U");
   await expect(figure.getByRole("button", { name: "Export" })).toBeVisible();
@@ -193,7 +195,6 @@ test("a saved figure brings the page back to where it was, and a wrong file chan
   expect(JSON.parse(await state(page))).toEqual(JSON.parse(other));
 
   // The same by a key and the browser's own dialog.
-  const chooser = page.waitForEvent("filechooser");
   await page.keyboard.press("Control+o");
   await (await chooser).setFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });
   await expect.poll(async () => JSON.parse(await state(page))).toEqual(JSON.parse(before));
