@@ -94,7 +94,10 @@ export function openPalette(actions, typed) {
     box.value = typed?.written ?? "";
     filter();
   });
-  if (typed?.entered) sheet.querySelector("input")?.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
+  const input = sheet.querySelector("input");
+  // What is written on goes behind what is there; where the focus puts the mark is every engine's own affair.
+  input?.setSelectionRange(input.value.length, input.value.length);
+  if (typed?.entered) input?.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
 }
 
 /**

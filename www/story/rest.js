@@ -48,13 +48,15 @@ export function letFarSectionsRest(host) {
     void goOn();
   };
   let width = 0;
-  new ResizeObserver(() => {
+  const resized = () => {
     if (hidden()) return;
     // Shown again, it is as it was, but for what was left undone.
     if (host.clientWidth !== width) measureAll();
     else void goOn();
     width = host.clientWidth;
-  }).observe(host);
+  };
+  // In a frame of its own: whoever changes sizes while sizes are told is told of a loop.
+  new ResizeObserver(() => requestAnimationFrame(resized)).observe(host);
   // A figure may bring sentences and tables with its numbers.
   for (const name of ["gear-ready", "gear-change"]) {
     host.addEventListener(name, ({ target }) => {
