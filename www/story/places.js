@@ -6,7 +6,7 @@
  * @typedef {HTMLElement & {data?: () => Promise<unknown>}} Figure
  */
 
-import { layOutAll } from "./rest.js";
+import { wakeAll } from "./rest.js";
 
 const prefersStill = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -116,7 +116,7 @@ function readerMoves(awaited) {
  * @param {ScrollBehavior} behavior
  */
 function show(place, behavior) {
-  layOutAll();
+  wakeAll();
   place.scrollIntoView({ behavior, block: place.tagName === "TR" ? "center" : "start" });
   if (place.tabIndex < 0) place.tabIndex = -1;
   place.focus({ preventScroll: true });

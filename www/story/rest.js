@@ -74,6 +74,12 @@ export function layOutAll() {
   delete document.documentElement.dataset.opening;
 }
 
+/** Nothing rests: who goes far goes by heights that are true. What has been seen since then and left again rests anew. */
+export function wakeAll() {
+  layOutAll();
+  for (const section of document.querySelectorAll("section.far")) section.classList.remove("far");
+}
+
 /** @returns {Promise<void>} */
 function nextFrame() {
   return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
