@@ -230,7 +230,15 @@ station("the laboratory comes up, and its charts follow one point", async () => 
   await says(".lab .sentence", /Rest|response/);
   await openRoom(`${site.address}?test#lab&v=1&preset=11c`);
   await says(".lab .sentence", /Rest is a saddle.*settles on a stable orbit of period 2T, \|up\| up to 1\.8515/);
-  const [from, between, to] = await browser.evaluate(placesOf, "#lab-T", /** @type {[number, number][]} */ ([[1.65, 0.5], [2.2, 0.45], [2.6, 0.4]]));
+  // The chart takes its place above the branches once they are there.
+  await browser.evaluate(dataOf, "#lab-B");
+  const places = () => browser.evaluate(placesOf, "#lab-T", /** @type {[number, number][]} */ ([[1.65, 0.5], [2.2, 0.45], [2.6, 0.4]]));
+  const [from, between, to] = await until("the chart stands still", async () => {
+    const before = await places();
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    const now = await places();
+    return JSON.stringify(now) === JSON.stringify(before) && now;
+  });
   await browser.drag([from, between, to]);
   await says(".lab .sentence", /Rest is stable.*comes to rest/);
   for (const id of ["T", "B", "1", "U", "P", "M", "W"]) assert.ok(Object.values(await browser.evaluate(inkOf, `#lab-${id}`)).every((count) => count > 50), `chart ${id}`);
