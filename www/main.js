@@ -77,7 +77,9 @@ let measureStory = null;
 
 /** Lays out what `figure/hold-back.js` has kept back and no figure has brought yet. */
 function settle() {
-  measureStory ??= letFarSectionsRest(element('main > [data-view="story"]'));
+  // A browser that does not keep in place what is read while heights above it change lays out everything in one go.
+  if (!CSS.supports("overflow-anchor", "auto")) layOutAll();
+  else measureStory ??= letFarSectionsRest(element('main > [data-view="story"]'));
 }
 
 function complete() {
