@@ -23,8 +23,7 @@ export async function stand(page, id, index = 0) {
     const at = canvas?.getBoundingClientRect().top ?? 0;
     scrollBy({ top: at + (top + bottom) / 2 - innerHeight / 2, behavior: "instant" });
   }, own.plot);
-  const box = await figure(page, id).locator("canvas").boundingBox();
-  if (box === null) throw new Error("no canvas");
+  const box = await still(page, id);
   const { plot } = own;
   /** A place in the window from fractions of the plot, from its lower left corner. @param {number} across @param {number} up */
   const at = (across, up) => ({
@@ -34,6 +33,30 @@ export async function stand(page, id, index = 0) {
   /** A place in the window from data. @param {number} x @param {number} y */
   const of = (x, y) => at((x - own.x.low) / (own.x.high - own.x.low), (y - own.y.low) / (own.y.high - own.y.low));
   return { own, at, of };
+}
+
+/**
+ * Where a figure's canvas is in the window, once it has kept its place for some frames: sections that come near wake, and what
+ * they were thought to be high is corrected.
+ *
+ * @param {Page} page
+ * @param {string} id
+ * @returns {Promise<{x: number, y: number}>}
+ */
+function still(page, id) {
+  return figure(page, id).evaluate(async (element) => {
+    const canvas = element.shadowRoot?.querySelector("canvas");
+    if (!canvas) throw new Error("no canvas");
+    const FRAMES = 5;
+    let last = { x: NaN, y: NaN };
+    for (let same = 0; same < FRAMES; ) {
+      await new Promise((resolve) => requestAnimationFrame(resolve));
+      const { x, y } = canvas.getBoundingClientRect();
+      same = x === last.x && y === last.y ? same + 1 : 0;
+      last = { x, y };
+    }
+    return last;
+  });
 }
 
 /**

@@ -71,7 +71,7 @@ function installReader() {
 }
 
 /**
- * Opens the page and waits until every figure is drawn.
+ * Opens the page and waits until every figure is drawn and, where the story is shown, all of it has its place.
  *
  * @param {Page} page
  * @param {string} [address]
@@ -79,6 +79,10 @@ function installReader() {
 export async function open(page, address = "./?test") {
   await page.goto(address);
   await expect.poll(() => marked(page, "all-figures"), { timeout: 30_000 }).not.toBeNull();
+  await page.waitForFunction(() => {
+    const shown = (document.querySelector('main > [data-view="story"]')?.clientWidth ?? 0) > 0;
+    return !shown || document.documentElement.dataset.opening === undefined;
+  });
 }
 
 /**
