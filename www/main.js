@@ -16,7 +16,7 @@ import { recall, remember } from "./shell/preferences.js";
 import { announcer } from "./shell/services.js";
 import { typeAhead } from "./shell/type-ahead.js";
 import { LANGUAGES, SHARED, Store, THEMES, withPreset } from "./state.js";
-import { layOutAll, letFarSectionsRest } from "./story/rest.js";
+import { ANCHORS, layOutAll, letFarSectionsRest } from "./story/rest.js";
 import { startStory } from "./story/story.js";
 import { parse } from "./url.js";
 import { words as figureWords } from "./words/en/figure.js";
@@ -70,16 +70,14 @@ let waiting = [];
 const OPENING = 2000;
 services.then(() => (all === 0 ? complete() : setTimeout(complete, OPENING)), settle);
 // A story that is not shown at first is laid out piece by piece when it is.
-if (view !== "story" && CSS.supports("overflow-anchor", "auto")) document.documentElement.dataset.opening = "";
+if (view !== "story" && ANCHORS) document.documentElement.dataset.opening = "";
 
 /** To be called when the story's heights have changed. @type {(() => void) | null} */
 let measureStory = null;
 
 /** Lays out what `figure/hold-back.js` has kept back and no figure has brought yet. */
 function settle() {
-  // A browser that does not keep in place what is read while heights above it change lays out everything in one go.
-  if (!CSS.supports("overflow-anchor", "auto")) layOutAll();
-  else measureStory ??= letFarSectionsRest(element('main > [data-view="story"]'));
+  measureStory ??= letFarSectionsRest(element('main > [data-view="story"]'));
 }
 
 function complete() {

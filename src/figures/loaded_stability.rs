@@ -72,16 +72,15 @@ impl LoadedTongues {
         let mut composer = Composer::new((1, 1));
         let omegas: Vec<f64> = (0..chart.omega.count).map(|column| chart.omega.value(column)).collect();
         let depths: Vec<f64> = (0..chart.k0.count).map(|row| chart.k0.value(row)).collect();
-        let rate = |(index, radius): (usize, &f64)| {
+        let rate = |index: usize| {
+            let column = index % COLUMNS;
+            // What others compute looks like its neighbours until it is here.
+            let radius = chart.spectral_radius[index - column + self.own(column)];
             // Where there is no response there is nothing that could grow from it; the place is marked.
-            let rate = radius.ln() * omegas[index % omegas.len()] / (periods * std::f64::consts::TAU);
+            let rate = radius.ln() * omegas[column] / (periods * std::f64::consts::TAU);
             if rate.is_finite() { rate } else { 0.0 }
         };
-        // What others compute looks like its neighbours until it is here.
-        let radius =
-            |index: usize| &chart.spectral_radius[index - index % COLUMNS + self.own(index % COLUMNS)];
-        let rates: Vec<f64> =
-            (0..chart.spectral_radius.len()).map(|index| rate((index, radius(index)))).collect();
+        let rates: Vec<f64> = (0..chart.spectral_radius.len()).map(rate).collect();
         let frame = growth_frame(&mut composer, chart, &rates);
         let missing: Vec<(f64, f64)> = chart
             .spectral_radius

@@ -11,7 +11,9 @@ import { marked } from "./page.js";
 const DIST = fileURLToPath(new URL("../../dist/", import.meta.url));
 const TYPES = /** @type {Record<string, string>} */ ({ ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".woff2": "font/woff2", ".webmanifest": "application/manifest+json" });
 
-test.use({ serviceWorkers: "allow" });
+// A browser looks for a new release with the least of its priorities. Where it draws without a graphics processor, gears that
+// move 60 times a second leave it no time for that, for a minute and more; so they stand still here.
+test.use({ serviceWorkers: "allow", reducedMotion: "reduce" });
 
 /** The site on a server that can bring out a new release, and be taken away. */
 async function serve() {
@@ -50,20 +52,9 @@ async function serve() {
   return { address: `http://127.0.0.1:${port}/below/`, asked, bringOut, close };
 }
 
-test("after the first visit the page opens without a network", async ({ page }) => {
+test("after the first visit the page opens without a network, and a new release is offered, not forced", async ({ page }) => {
   test.setTimeout(120_000);
-  const { address, close } = await serve();
-  await visit(page, address);
-  close();
-});
-
-/**
- * Opens the page, waits until it is kept, and opens it again without a network.
- *
- * @param {import("@playwright/test").Page} page
- * @param {string} address
- */
-async function visit(page, address) {
+  const { address, asked, bringOut, close } = await serve();
   const kept = () => page.evaluate(async () => (await navigator.serviceWorker.getRegistration())?.active?.state ?? null);
   const lives = () => expect.poll(() => marked(page, "first-figure"), { timeout: 30_000 }).not.toBeNull();
   await page.goto(address);
@@ -75,33 +66,22 @@ async function visit(page, address) {
   await page.reload();
   await expect(page.locator('main > [data-view="lab"] > *').first()).toBeVisible();
   await page.context().setOffline(false);
-}
 
-// A browser looks for a new release with the least of its priorities. Where it draws without a graphics processor, gears that
-// move 60 times a second leave it no time for that, for a minute and more; so they stand still here.
-test.describe("with the gears at rest", () => {
-  test.use({ reducedMotion: "reduce" });
-
-  test("a new release is offered, not forced", async ({ page }) => {
-    test.setTimeout(120_000);
-    const { address, asked, bringOut, close } = await serve();
-    await visit(page, address);
-    bringOut();
-    await page.reload();
-    await expect(page).toHaveTitle(/^(?!Second)/);
-    const offer = page.getByRole("button", { name: "Load it now" });
-    await expect(offer).toBeVisible({ timeout: 30_000 });
-    // Only what is new was fetched anew.
-    expect(asked.filter((path) => path.endsWith(".wasm"))).toEqual([]);
-    await offer.click();
-    await expect(page).toHaveTitle(/^Second/);
-    const stored = await page.evaluate(async () => {
-      const [store] = await caches.keys();
-      return (await (await caches.open(store)).keys()).filter(({ url }) => url.includes("index.html")).length;
-    });
-    expect(stored).toBe(1);
-    close();
+  bringOut();
+  await page.reload();
+  await expect(page).toHaveTitle(/^(?!Second)/);
+  const offer = page.getByRole("button", { name: "Load it now" });
+  await expect(offer).toBeVisible({ timeout: 30_000 });
+  // Only what is new was fetched anew.
+  expect(asked.filter((path) => path.endsWith(".wasm"))).toEqual([]);
+  await offer.click();
+  await expect(page).toHaveTitle(/^Second/);
+  const stored = await page.evaluate(async () => {
+    const [store] = await caches.keys();
+    return (await (await caches.open(store)).keys()).filter(({ url }) => url.includes("index.html")).length;
   });
+  expect(stored).toBe(1);
+  close();
 });
 
 test("where service workers are refused the page works without", async ({ browser, baseURL }) => {

@@ -217,19 +217,9 @@ export class Engine {
   glance(id, given) {
     const past = this.#glances.get(id) ?? { late: 0, left: 0, rest: REST.least };
     this.#glances.set(id, past);
-    const begin = performance.now();
-    let last = null;
-    try {
-      for (const step of this.#gear.progress(id, given)) {
-        last = step;
-        if (performance.now() - begin > MOMENT / 2) break;
-      }
-    } catch {
-      // What cannot be is said by the worker, as for every figure.
-      return null;
-    }
+    const { last, took, failed } = this.#inTime(id, given, MOMENT / 2);
+    if (failed) return null;
     // A busy machine makes one call slow, but not one after the other, and not so slow.
-    const took = performance.now() - begin;
     if (last !== null && took < MOMENT) Object.assign(past, { late: 0, rest: REST.least });
     else past.late += 1;
     if (past.late >= PATIENCE || took > 2 * MOMENT) Object.assign(past, { left: past.rest, rest: Math.min(2 * past.rest, REST.most) });
@@ -245,17 +235,32 @@ export class Engine {
    * @returns {{figure: Figure, done: boolean} | null} null where it comes to nothing
    */
   within(id, given, time) {
+    return this.#inTime(id, given, time).last;
+  }
+
+  /**
+   * The last step of a figure that is begun within a time, and how long all took, ms.
+   *
+   * @param {string} id
+   * @param {Given} given
+   * @param {number} time  Milliseconds.
+   */
+  #inTime(id, given, time) {
     const begin = performance.now();
+    const since = () => performance.now() - begin;
+    /** @type {{figure: Figure, done: boolean} | null} */
     let last = null;
+    let failed = false;
     try {
       for (const step of this.#gear.progress(id, given)) {
         last = step;
-        if (performance.now() - begin > time) break;
+        if (since() > time) break;
       }
     } catch {
       // What cannot be is said by the worker, as for every figure.
+      failed = true;
     }
-    return last;
+    return { last, failed, took: since() };
   }
 
   /**

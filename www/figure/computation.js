@@ -93,9 +93,10 @@ export class Computation {
         signal: run.signal,
         partial: (partial) => {
           if (!isNewest()) return;
-          const passed = stale;
-          stale = false;
-          if (passed) return;
+          if (stale) {
+            stale = false;
+            return;
+          }
           this.#pictured = true;
           this.#hooks.show(partial, false);
           if (this.#waiting !== null) {

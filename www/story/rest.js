@@ -7,6 +7,12 @@
  * all of them in one go would hold the page up.
  */
 
+/**
+ * Whether the browser keeps in place what is read while heights above it change, as style/story.css asks too. One that does not
+ * lays out everything, in one go.
+ */
+export const ANCHORS = CSS.supports("overflow-anchor", "auto");
+
 /** Nearer than this, in heights of the window, nothing rests: what wakes has been drawn before it is seen. */
 const NEAR = "100% 0px";
 
@@ -15,6 +21,10 @@ const NEAR = "100% 0px";
  * @returns {() => void} to be called when its heights have changed: not for its width, which is seen
  */
 export function letFarSectionsRest(host) {
+  if (!ANCHORS) {
+    layOutAll();
+    return () => {};
+  }
   const sections = /** @type {HTMLElement[]} */ ([...host.children].filter(({ localName }) => localName === "section"));
   const hidden = () => host.clientWidth === 0;
   const watch = new IntersectionObserver(
