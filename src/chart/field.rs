@@ -80,18 +80,25 @@ pub fn draw_field<S: Surface>(
     let wide = series.x.len();
     let regions = series.role == Role::Basins;
     let mut pixels = Vec::with_capacity(columns * rows);
+    // A row's values between the rows of the grid, to be read between its columns.
+    let mut line = vec![0.0; wide];
     for row in 0..rows {
         let (below, up) = between(&series.y, data_y(row));
         let above = (below + 1).min(series.y.len() - 1);
+        let grid = |row: usize| &series.z[row * wide..(row + 1) * wide];
+        for (value, (lower, upper)) in line.iter_mut().zip(grid(below).iter().zip(grid(above))) {
+            *value = match (regions, up < 0.5) {
+                (true, true) => *lower,
+                (true, false) => *upper,
+                (false, _) => lower * (1.0 - up) + upper * up,
+            };
+        }
         for &(before, along) in &across {
-            let after = (before + 1).min(wide - 1);
-            let at = |row: usize, column: usize| series.z[row * wide + column];
-            let value = if regions {
-                at(if up < 0.5 { below } else { above }, if along < 0.5 { before } else { after })
-            } else {
-                let lower = at(below, before) * (1.0 - along) + at(below, after) * along;
-                let upper = at(above, before) * (1.0 - along) + at(above, after) * along;
-                lower * (1.0 - up) + upper * up
+            let (left, right) = (line[before], line[(before + 1).min(wide - 1)]);
+            let value = match (regions, along < 0.5) {
+                (true, true) => left,
+                (true, false) => right,
+                (false, _) => left * (1.0 - along) + right * along,
             };
             pixels.push(color_index(series.role, value, bar));
         }

@@ -22,6 +22,8 @@ const NEARNESS: f64 = 0.12;
 const INK: f64 = 5.0;
 /// Cost of a cell of ink close to the label.
 const CLOSE_INK: f64 = 0.5;
+/// What candidates may cost by themselves beyond the least, at first and then.
+const REACHES: [f64; 3] = [6.0, 30.0, f64::INFINITY];
 /// Sizes that are tried, over the wanted one.
 const SHRINKS: [f64; 3] = [1.0, 0.9, 0.8];
 
@@ -156,6 +158,32 @@ impl Crowd {
         let at = |row: usize, column: usize| f64::from(sums[row * (self.columns + 1) + column]);
         at(bottom, right) + at(top, left) - at(top, right) - at(bottom, left)
     }
+
+    /// What it costs to write where it must be written, whatever is there.
+    fn cost_over_words(&self, area: &Rect) -> f64 {
+        let over = self.words.iter().any(|taken| taken.grown(-1.0).overlaps(area));
+        if over { FORBIDDEN } else { 0.0 }
+    }
+
+    /// What it costs to write in this box: [`FORBIDDEN`] over what must stay clear, else by the ink under it and about it.
+    fn cost(&self, sums: &[u32], area: &Rect, within: &Rect, most_ink: f64) -> f64 {
+        let kept = area.grown(1.5);
+        // Words side by side would be read as one: they need more room to their sides.
+        let apart = Rect { left: kept.left - 8.0, right: kept.right + 8.0, ..kept };
+        let touches = || {
+            self.boxes.iter().any(|taken| taken.overlaps(&kept))
+                || self.words.iter().any(|taken| taken.overlaps(&apart))
+        };
+        if !within.holds(&area.grown(2.0)) || touches() {
+            return FORBIDDEN;
+        }
+        let ink = self.ink_in(sums, &kept);
+        if ink > most_ink {
+            return FORBIDDEN;
+        }
+        // Ink close by makes a label belong to more than one line.
+        INK * ink + CLOSE_INK * self.ink_in(sums, &area.grown(6.0))
+    }
 }
 
 /// A possible place: the box's middle, what it costs by itself, and the point it would be led to.
@@ -216,30 +244,37 @@ fn best_place(
     // In a small plot a label across several lines hides what it should explain.
     let most_ink =
         if within.width() < SMALL && matches!(request.anchor, Anchor::Curve(..)) { 8.0 } else { f64::MAX };
-    let mut best: Option<Candidate> = None;
-    for mut candidate in candidates(&request.anchor, width, height, within) {
-        let area = Rect::around(candidate.middle, width, height);
-        let kept = area.grown(1.5);
-        if fixed {
-            let over = crowd.words.iter().any(|taken| taken.grown(-1.0).overlaps(&area));
-            candidate.cost += if over { FORBIDDEN } else { 0.0 };
-        } else {
-            let ink = crowd.ink_in(sums, &kept);
-            // Ink close by makes a label belong to more than one line.
-            candidate.cost += INK * ink + CLOSE_INK * crowd.ink_in(sums, &area.grown(6.0));
-            // Words side by side would be read as one: they need more room to their sides.
-            let apart = Rect { left: kept.left - 8.0, right: kept.right + 8.0, ..kept };
-            let touches = crowd.boxes.iter().any(|taken| taken.overlaps(&kept))
-                || crowd.words.iter().any(|taken| taken.overlaps(&apart));
-            if touches || ink > most_ink || !within.holds(&area.grown(2.0)) {
-                candidate.cost += FORBIDDEN;
+    let mut all = candidates(&request.anchor, width, height, within);
+    let least = all.iter().map(|candidate| candidate.cost).fold(f64::INFINITY, f64::min);
+    let mut best: Option<(f64, usize)> = None;
+    let mut tried = f64::NEG_INFINITY;
+    // Nothing costs less than it does by itself: what does so from the first is tried first, and mostly is enough.
+    for reach in REACHES {
+        let most = least + reach;
+        for (index, candidate) in all.iter().enumerate() {
+            let bound = best.map_or(f64::INFINITY, |(cost, _)| cost).min(most);
+            if candidate.cost <= tried || candidate.cost > bound {
+                continue;
+            }
+            let area = Rect::around(candidate.middle, width, height);
+            let cost = candidate.cost
+                + if fixed {
+                    crowd.cost_over_words(&area)
+                } else {
+                    crowd.cost(sums, &area, within, most_ink)
+                };
+            // Of two that cost the same the earlier one, in whatever order they were tried.
+            let better = |(found, at)| cost < found || (cost == found && index < at);
+            if cost < FORBIDDEN && best.is_none_or(better) {
+                best = Some((cost, index));
             }
         }
-        if candidate.cost < FORBIDDEN && best.as_ref().is_none_or(|found| candidate.cost < found.cost) {
-            best = Some(candidate);
+        tried = most;
+        if best.is_some_and(|(cost, _)| cost < most) {
+            break;
         }
     }
-    best
+    best.map(|(_, index)| all.swap_remove(index))
 }
 
 fn candidates(anchor: &Anchor, width: f64, height: f64, within: &Rect) -> Vec<Candidate> {
@@ -367,7 +402,8 @@ fn nearest(area: &Rect, point: [f64; 2]) -> [f64; 2] {
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+    let (x, y) = (a[0] - b[0], a[1] - b[1]);
+    (x * x + y * y).sqrt()
 }
 
 #[cfg(test)]
