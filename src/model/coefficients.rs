@@ -36,6 +36,8 @@ struct Known<const LEN: usize> {
     tangent: [f64; 2],
     /// Mesh stiffness at the start of the step.
     mesh: f64,
+    /// Coefficients of the pulsation, the last one first: what is multiplied with the tooth function lies in the same order.
+    pulsation: [f64; LEN],
 }
 
 impl<'a, const LEN: usize> Coefficients<'a, LEN> {
@@ -63,11 +65,14 @@ impl<'a, const LEN: usize> Coefficients<'a, LEN> {
         const { assert!(LEN <= MOST, "the motion's series has more coefficients than are written out") };
         let start = [series[0][0], series[0][1]];
         let tangent = |i: usize| self.stiffness[i] + 3.0 * self.cubic[i] * start[i] * start[i];
+        let mut pulsation = self.forcing.pulsation;
+        pulsation.reverse();
         let mut known = Known {
             tooth: [0.0; LEN],
             square: [[0.0; 2]; LEN],
             tangent: [tangent(0), tangent(1)],
             mesh: 1.0 + self.forcing.pulsation[0],
+            pulsation,
         };
         macro_rules! each {
             ($($n:literal)*) => { $(self.next::<$n>(series, &mut known);)* };
@@ -86,7 +91,7 @@ impl<'a, const LEN: usize> Coefficients<'a, LEN> {
             return;
         }
         let older = known.cube::<N>(series);
-        let pulsating = known.pulsating::<N>(self.forcing);
+        let pulsating = known.pulsating::<N>();
         let row = series[N];
         let tooth = self.slope * row[U] - if N == 0 { self.offset } else { 0.0 };
         known.tooth[N] = tooth;
@@ -119,16 +124,18 @@ impl<const LEN: usize> Known<LEN> {
     /// places.
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "as above")]
-    fn pulsating<const N: usize>(&self, forcing: &Forcing<LEN>) -> f64 {
+    fn pulsating<const N: usize>(&self) -> f64 {
+        let first = LEN - 1 - N;
         let mut sums = [0.0; 2];
         let mut place = 0;
         while place + 1 < N {
-            sums[0] += forcing.pulsation[N - place] * self.tooth[place];
-            sums[1] += forcing.pulsation[N - place - 1] * self.tooth[place + 1];
+            for lane in 0..2 {
+                sums[lane] += self.pulsation[first + place + lane] * self.tooth[place + lane];
+            }
             place += 2;
         }
         if place < N {
-            sums[0] += forcing.pulsation[N - place] * self.tooth[place];
+            sums[0] += self.pulsation[first + place] * self.tooth[place];
         }
         sums[0] + sums[1]
     }

@@ -14,6 +14,7 @@
 
 use crate::model::coefficients::Coefficients;
 use crate::model::parameters::{Parameters, Regime};
+use crate::numerics::angle::sine_and_cosine;
 use crate::numerics::ode::Field;
 use crate::numerics::ode::taylor::{Boundary, Series, TaylorField};
 
@@ -163,18 +164,30 @@ impl Field<6> for GearPair {
     }
 }
 
-/// Taylor coefficients of `amplitude * cos(frequency * t)` about `time`.
+/// Taylor coefficients of `amplitude * cos(frequency * t)` about `time`: those of even powers, and those of odd ones, each from
+/// the one two before it.
 pub fn cosine_series<const LEN: usize>(amplitude: f64, frequency: f64, time: f64) -> [f64; LEN] {
     let mut series = [0.0; LEN];
-    let (sine, cosine) = (frequency * time).sin_cos();
-    let (mut cosine, mut sine) = (amplitude * cosine, amplitude * sine);
-    series[0] = cosine;
-    for n in 1..LEN {
-        let rate = frequency / n as f64;
-        (cosine, sine) = (-rate * sine, rate * cosine);
-        series[n] = cosine;
+    let (sine, cosine) = sine_and_cosine(frequency * time);
+    series[0] = amplitude * cosine;
+    series[1] = -amplitude * frequency * sine;
+    let square = -frequency * frequency;
+    for n in 2..LEN {
+        let rate = square * const { inverse_products::<LEN>() }[n];
+        series[n] = series[n - 2] * rate;
     }
     series
+}
+
+/// `1 / (n (n - 1))` at place n, from 2 on.
+const fn inverse_products<const LEN: usize>() -> [f64; LEN] {
+    let mut inverse = [0.0; LEN];
+    let mut n = 2;
+    while n < LEN {
+        inverse[n] = 1.0 / (n * (n - 1)) as f64;
+        n += 1;
+    }
+    inverse
 }
 
 /// Everything in the recurrences that does not depend on the state: pulsation and load about a time.

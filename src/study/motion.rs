@@ -72,12 +72,11 @@ fn escaped(pair: &GearPair, state: &[f64; 6]) -> bool {
     state[0].abs() > pinion || state[1].abs() > gear || state[U].abs() > DIVERGED
 }
 
-/// Whether the start or the end of a step is beyond half of a bound.
-fn near_escape(pair: &GearPair, start: &[f64; 6], end: &[f64; 6]) -> bool {
-    let [pinion, gear] = pair.escape_bounds();
-    [(0, pinion), (1, gear), (U, DIVERGED)]
-        .iter()
-        .any(|&(coordinate, bound)| start[coordinate].abs().max(end[coordinate].abs()) > 0.5 * bound)
+/// Whether the start or the end of a step is beyond half of a bound of `|u_p|` and `|u_g|`, or of `|u|`.
+fn near_escape([pinion, gear]: [f64; 2], start: &[f64; 6], end: &[f64; 6]) -> bool {
+    [(0, pinion), (1, gear), (U, DIVERGED)].iter().any(|&(coordinate, bound)| {
+        start[coordinate].abs() > 0.5 * bound || end[coordinate].abs() > 0.5 * bound
+    })
 }
 
 /// The time since the start of the step at which the motion first passes one of the bounds of escape.
@@ -127,12 +126,13 @@ pub fn follow<const LEN: usize>(
     mut visit: impl FnMut(&Step<6, LEN>, Contact),
 ) -> Result<Reached, NumericsError> {
     let mut propagation = Propagation::<GearPair, 6, LEN>::new(pair, start, state, options);
+    let bounds = pair.escape_bounds();
     while propagation.time() < end {
         let contact = propagation.piece();
         propagation.advance(end)?;
         let step = propagation.latest();
         // A motion that starts and ends a step well inside the bounds does not leave them in between.
-        if near_escape(pair, &step.series[0], propagation.state())
+        if near_escape(bounds, &step.series[0], propagation.state())
             && let Some(since) = escape_since(pair, step)
         {
             let step = Step { length: since, ..*step };
