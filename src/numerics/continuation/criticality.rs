@@ -27,48 +27,73 @@ const ITERATIONS: usize = 10;
 const SETTLED: f64 = 1e-4;
 /// A rate so much greater than what it is at the bifurcation, where that is zero to all that can be located.
 const CLEAR: f64 = 1e-6;
-/// What rounding makes of the way along the direction, over the scale: twice what was seen at any steepness.
+/// The least that rounding makes of the way along the direction, over the scale.
 const ROUNDING: f64 = 1e-13;
 /// How many times that differences have to be.
 const SURE: f64 = 10.0;
 
 /// Whether the born orbits are on the side where the old ones are less stable; none where the coefficient is so near zero,
-/// or the map so steep, that it is not the same at neighbouring distances.
+/// or the map so steep, that it is not the same at neighbouring distances, or no more than what rounding makes.
 pub fn supercritical(family: &mut dyn Family, birth: &Birth, at: &Point, scale: Scale) -> Option<bool> {
     let mut reduced = Reduced::new(family, birth, at, scale)?;
-    let (mut last, mut before) = (None::<(f64, f64)>, None::<f64>);
+    let rounding = at.evaluation.derivative.amax() * f64::EPSILON;
+    let mut tried: Vec<Tried> = Vec::with_capacity(MOST);
     let mut distance = FIRST;
     for _ in 0..MOST {
-        // What is even in the distance has no part in it.
         let both = reduced
             .moved(family, distance)
             .and_then(|there| Some((there, reduced.moved(family, -distance)?)));
         let Some((there, opposite)) = both else {
-            (last, before, distance) = (None, None, MUCH_NEARER * distance);
+            tried.clear();
+            distance *= MUCH_NEARER;
             continue;
         };
-        let rate = 0.5 * (there - opposite) / distance;
-        if let Some((further, other)) = last {
-            let whole = [other / (further * further), rate / (distance * distance)];
-            if rate.abs() > CLEAR && alike(whole[0], whole[1]) {
-                return Some(rate < 0.0);
+        // What is even in the distance has no part in the rate.
+        let (rate, even) = (0.5 * (there - opposite) / distance, 0.5 * (there + opposite));
+        tried.push(Tried { square: distance * distance, rate, even });
+        if let [.., last, now] = tried[..] {
+            let whole = [last.rate / last.square, now.rate / now.square];
+            if now.rate.abs() > CLEAR + SURE * rounding / distance && alike(whole[0], whole[1]) {
+                return Some(now.rate < 0.0);
             }
-            // Without l, which is zero but for what the bifurcation was located to.
-            let change = other - rate;
-            let noise = SURE * ROUNDING / distance;
-            let coefficient = change / (further * further - distance * distance);
-            if let Some(before) = before
-                && alike(before, coefficient)
-                && change.abs() > noise
-            {
-                return Some(coefficient < 0.0);
-            }
-            before = Some(coefficient);
         }
-        last = Some((distance, rate));
+        if let [.., before, last, now] = tried[..] {
+            // Without l, which is zero but for what the bifurcation was located to.
+            let coefficients = [before.slope(&last), last.slope(&now)];
+            let change = (last.rate - now.rate).abs();
+            let noise = last.noise(&before, &now).max(SURE * ROUNDING) / distance;
+            if alike(coefficients[0], coefficients[1]) && change > noise {
+                return Some(coefficients[1] < 0.0);
+            }
+        }
         distance *= NEARER;
     }
     None
+}
+
+/// What the map does at one distance.
+#[derive(Clone, Copy)]
+struct Tried {
+    /// The square of the distance.
+    square: f64,
+    /// The odd part of the way along the direction, over the distance.
+    rate: f64,
+    /// The even part of it.
+    even: f64,
+}
+
+impl Tried {
+    /// The rate's change over that of the square.
+    fn slope(&self, nearer: &Self) -> f64 {
+        (self.rate - nearer.rate) / (self.square - nearer.square)
+    }
+
+    /// How far the even part is from a line in the square, between one further off and one nearer: but for terms of higher order
+    /// that is what the map's rounding makes of it, and of the odd part as well.
+    fn noise(&self, further: &Self, nearer: &Self) -> f64 {
+        let share = (self.square - nearer.square) / (further.square - self.square);
+        ((self.even - nearer.even) - share * (further.even - self.even)).abs()
+    }
 }
 
 fn alike(one: f64, other: f64) -> bool {
