@@ -28,16 +28,17 @@ pub struct Coefficients<'a, const LEN: usize> {
 /// What is known of products so far. All of it is at places known to the compiler, which keeps it in registers as it
 /// sees fit.
 struct Known<const LEN: usize> {
-    /// Coefficients of the tooth function.
-    tooth: [f64; LEN],
+    /// Coefficients of the tooth function, two side by side.
+    tooth: [[f64; 2]; LEN],
     /// Of the squares of the displacements.
     square: [[f64; 2]; LEN],
     /// Stiffness of the supports about the displacement that the step starts at, over the masses.
     tangent: [f64; 2],
     /// Mesh stiffness at the start of the step.
     mesh: f64,
-    /// Coefficients of the pulsation, the last one first: what is multiplied with the tooth function lies in the same order.
-    pulsation: [f64; LEN],
+    /// Coefficients of the pulsation, each with the one before it: what two coefficients of the tooth function side by side are
+    /// multiplied by.
+    pulsation: [[f64; 2]; LEN],
 }
 
 impl<'a, const LEN: usize> Coefficients<'a, LEN> {
@@ -65,10 +66,12 @@ impl<'a, const LEN: usize> Coefficients<'a, LEN> {
         const { assert!(LEN <= MOST, "the motion's series has more coefficients than are written out") };
         let start = [series[0][0], series[0][1]];
         let tangent = |i: usize| self.stiffness[i] + 3.0 * self.cubic[i] * start[i] * start[i];
-        let mut pulsation = self.forcing.pulsation;
-        pulsation.reverse();
+        let mut pulsation = [[0.0; 2]; LEN];
+        for n in 0..LEN - 1 {
+            pulsation[n] = [self.forcing.pulsation[n + 1], self.forcing.pulsation[n]];
+        }
         let mut known = Known {
-            tooth: [0.0; LEN],
+            tooth: [[0.0; 2]; LEN],
             square: [[0.0; 2]; LEN],
             tangent: [tangent(0), tangent(1)],
             mesh: 1.0 + self.forcing.pulsation[0],
@@ -94,7 +97,7 @@ impl<'a, const LEN: usize> Coefficients<'a, LEN> {
         let pulsating = known.pulsating::<N>();
         let row = series[N];
         let tooth = self.slope * row[U] - if N == 0 { self.offset } else { 0.0 };
-        known.tooth[N] = tooth;
+        known.tooth[N / 2][N % 2] = tooth;
         let rate = 1.0 / (N + 1) as f64;
         let force = (pulsating + known.mesh * tooth) + self.mesh_damping * row[U_DOT];
         let pushed = [self.inverse_mass[0], -self.inverse_mass[1]];
@@ -125,17 +128,14 @@ impl<const LEN: usize> Known<LEN> {
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "as above")]
     fn pulsating<const N: usize>(&self) -> f64 {
-        let first = LEN - 1 - N;
         let mut sums = [0.0; 2];
         let mut place = 0;
-        while place + 1 < N {
+        // The coefficient beside the last one of an odd number is still zero.
+        while place < N {
             for lane in 0..2 {
-                sums[lane] += self.pulsation[first + place + lane] * self.tooth[place + lane];
+                sums[lane] += self.pulsation[N - place - 1][lane] * self.tooth[place / 2][lane];
             }
             place += 2;
-        }
-        if place < N {
-            sums[0] += self.pulsation[first + place] * self.tooth[place];
         }
         sums[0] + sums[1]
     }

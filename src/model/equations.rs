@@ -12,9 +12,9 @@
 //!
 //! Departure from (8) and (9) as printed: the mesh damping acts on the velocity `u'`, as in (11).
 
-use crate::model::coefficients::Coefficients;
+use crate::model::angle::sine_and_cosine;
+use crate::model::coefficients::{Coefficients, MOST};
 use crate::model::parameters::{Parameters, Regime};
-use crate::numerics::angle::sine_and_cosine;
 use crate::numerics::ode::Field;
 use crate::numerics::ode::taylor::{Boundary, Series, TaylorField};
 
@@ -164,31 +164,35 @@ impl Field<6> for GearPair {
     }
 }
 
-/// Taylor coefficients of `amplitude * cos(frequency * t)` about `time`: those of even powers, and those of odd ones, each from
-/// the one two before it.
-pub fn cosine_series<const LEN: usize>(amplitude: f64, frequency: f64, time: f64) -> [f64; LEN] {
-    let mut series = [0.0; LEN];
+/// Adds the Taylor coefficients of `amplitude * cos(frequency * t)` about `time` to a series: those of even powers, and those of
+/// odd ones, each from the one two before it.
+pub fn add_cosine<const LEN: usize>(series: &mut [f64; LEN], amplitude: f64, frequency: f64, time: f64) {
+    const { assert!(LEN >= 2 && LEN <= MOST) };
     let (sine, cosine) = sine_and_cosine(frequency * time);
-    series[0] = amplitude * cosine;
-    series[1] = -amplitude * frequency * sine;
+    let (mut even, mut odd) = (amplitude * cosine, -amplitude * frequency * sine);
+    series[0] += even;
+    series[1] += odd;
     let square = -frequency * frequency;
-    for n in 2..LEN {
-        let rate = square * const { inverse_products::<LEN>() }[n];
-        series[n] = series[n - 2] * rate;
+    for (two, inverse) in series[2..].chunks_mut(2).zip(&INVERSE_PRODUCTS) {
+        even *= square * inverse[0];
+        odd *= square * inverse[1];
+        two[0] += even;
+        if let Some(second) = two.get_mut(1) {
+            *second += odd;
+        }
     }
-    series
 }
 
-/// `1 / (n (n - 1))` at place n, from 2 on.
-const fn inverse_products<const LEN: usize>() -> [f64; LEN] {
-    let mut inverse = [0.0; LEN];
+/// `1 / (n (n - 1))` for n = 2 and 3, 4 and 5, and so on.
+const INVERSE_PRODUCTS: [[f64; 2]; MOST / 2] = {
+    let mut inverse = [[0.0; 2]; MOST / 2];
     let mut n = 2;
-    while n < LEN {
-        inverse[n] = 1.0 / (n * (n - 1)) as f64;
+    while n / 2 <= MOST / 2 {
+        inverse[n / 2 - 1][n % 2] = 1.0 / (n * (n - 1)) as f64;
         n += 1;
     }
     inverse
-}
+};
 
 /// Everything in the recurrences that does not depend on the state: pulsation and load about a time.
 pub(crate) struct Forcing<const LEN: usize> {
@@ -200,21 +204,16 @@ pub(crate) struct Forcing<const LEN: usize> {
 
 impl<const LEN: usize> Forcing<LEN> {
     pub(crate) fn new(p: &Parameters, time: f64) -> Self {
-        let pulsation = cosine_series(p.k0, p.omega, time);
-        let mut load = [0.0; LEN];
-        load[0] = p.load;
-        let mut add = |amplitude: f64, frequency: f64| {
+        let mut forcing = Self { pulsation: [0.0; LEN], load: [0.0; LEN] };
+        add_cosine(&mut forcing.pulsation, p.k0, p.omega, time);
+        forcing.load[0] = p.load;
+        let error = p.omega * p.omega * p.error;
+        for (amplitude, frequency) in [(p.load_p, p.omega_p), (p.load_g, p.omega_g), (error, p.omega)] {
             if amplitude != 0.0 {
-                let series: [f64; LEN] = cosine_series(amplitude, frequency, time);
-                for (sum, coefficient) in load.iter_mut().zip(series) {
-                    *sum += coefficient;
-                }
+                add_cosine(&mut forcing.load, amplitude, frequency, time);
             }
-        };
-        add(p.load_p, p.omega_p);
-        add(p.load_g, p.omega_g);
-        add(p.omega * p.omega * p.error, p.omega);
-        Self { pulsation, load }
+        }
+        forcing
     }
 }
 

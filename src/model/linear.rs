@@ -12,7 +12,7 @@
 //! A(t)^T = S A(t) S^-1, and the stiffness is even about T/2; hence the monodromy is M = S^-1 P^T S P with
 //! P = Phi(T/2), for any damping and any supports.
 
-use crate::model::equations::cosine_series;
+use crate::model::equations::add_cosine;
 use crate::model::parameters::Parameters;
 use crate::numerics::ode::taylor::{Boundary, Series, TaylorField};
 
@@ -143,7 +143,8 @@ impl TaylorField<SIZE> for LinearPair {
         state: &[f64; SIZE],
         series: &mut Series<SIZE, LEN>,
     ) {
-        let pulsation: [f64; LEN] = cosine_series(self.pulsation, self.frequency, time);
+        let mut pulsation = [0.0; LEN];
+        add_cosine(&mut pulsation, self.pulsation, self.frequency, time);
         let mut transmission = [[0.0; 6]; LEN];
         series[0] = *state;
         for n in 0..LEN - 1 {

@@ -13,11 +13,20 @@ use crate::model::equations::{Contact, Forcing, GearPair, contact, contact_bound
 use crate::model::parameters::Parameters;
 use crate::numerics::ode::taylor::{Boundary, Series, TaylorField};
 
-/// Number of coordinates: `a, u, a', u'`, then rows of the derivative by the start: of a (four columns) and S (two),
-/// of a' and S', of u (four), of u'.
+/// Number of coordinates: `a` and its derivative by the start (four columns), that of `S` (two), `u` and its derivative
+/// (four); then the rates of all these in the same order.
 pub const SIZE: usize = 24;
+/// Half of them.
+const HALF: usize = SIZE / 2;
+/// So many come first that have to do with the supports, and are multiplied by the square of the displacement; the others
+/// have to do with the teeth, and are multiplied by the pulsation.
+const SUPPORTS: usize = 7;
+/// Index of the derivative of S.
+const S: usize = 5;
 /// Index of u.
-const U: usize = 1;
+const U: usize = SUPPORTS;
+/// Where a and u are: the value, its rate, the value's derivative by the start.
+pub const PLACES: [(usize, usize, usize); 2] = [(0, HALF, 1), (U, HALF + U, U + 1)];
 
 /// A gear pair with equal supports on its manifold.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,27 +55,24 @@ impl Manifold {
 /// The state with the identity as its derivative.
 pub fn start(state: &[f64; 6]) -> [f64; SIZE] {
     let mut all = [0.0; SIZE];
-    (all[0], all[1], all[2], all[3]) = (state[0], state[2], state[3], state[5]);
-    all[4] = 1.0;
-    all[8] = 1.0;
-    all[12] = 1.0;
-    all[15] = 1.0;
-    all[17] = 1.0;
-    all[23] = 1.0;
+    (all[0], all[U], all[HALF], all[HALF + U]) = (state[0], state[2], state[3], state[5]);
+    for (first, column) in [(1, 0), (U + 1, 1), (HALF + 1, 2), (HALF + U + 1, 3), (S, 0), (HALF + S, 1)] {
+        all[first + column] = 1.0;
+    }
     all
 }
 
 /// The state of all six coordinates.
 pub fn full(all: &[f64; SIZE]) -> [f64; 6] {
-    [all[0], -all[0], all[1], all[2], -all[2], all[3]]
+    [all[0], -all[0], all[U], all[HALF], -all[HALF], all[HALF + U]]
 }
 
 /// The state and the rows of its 6 x 6 derivative.
 pub fn split(all: &[f64; SIZE]) -> ([f64; 6], [[f64; 6]; 6]) {
     // Rows of the half difference and of u by a, u, a', u'; rows of the half sum by S, S'.
     let take = |from: usize| -> [f64; 4] { std::array::from_fn(|i| all[from + i]) };
-    let (a, a_dot, u, u_dot) = (take(4), take(10), take(16), take(20));
-    let (s, s_dot) = ([all[8], all[9]], [all[14], all[15]]);
+    let (a, a_dot, u, u_dot) = (take(1), take(HALF + 1), take(U + 1), take(HALF + U + 1));
+    let (s, s_dot) = ([all[S], all[S + 1]], [all[HALF + S], all[HALF + S + 1]]);
     // u_p = a + S, u_g = S - a; a = (u_p - u_g) / 2, S = (u_p + u_g) / 2.
     let body = |a: [f64; 4], s: [f64; 2], sign: f64| {
         let half = |i: usize| 0.5 * sign * a[i];
@@ -117,75 +123,65 @@ impl TaylorField<SIZE> for Manifold {
         let forcing = Forcing::<LEN>::new(p, time);
         let (slope, offset) = piece.line();
         let (inverse_mass, damping, mesh_damping) = (1.0 / p.m_p, 2.0 * p.zeta_p, 2.0 * p.zeta);
-        // One loop over the earlier coefficients makes all products, whose factors lie with the last one first, so that
-        // every one of its arrays is run through forwards.
-        let mut pulsation = forcing.pulsation;
-        pulsation.reverse();
-        let mut square = [0.0; LEN];
         let nonlinear = p.alpha_p != 0.0;
+        let mut cubic = [3.0 * p.alpha_p; SUPPORTS];
+        cubic[0] = p.alpha_p;
+        // One loop over the earlier coefficients makes all products, whose factors, the square of a and the pulsation, lie with
+        // the last one first, so that every one of its arrays is run through forwards.
+        let mut factors = [[0.0; 2]; LEN];
+        for (factors, pulsation) in factors.iter_mut().rev().zip(&forcing.pulsation) {
+            factors[1] = *pulsation;
+        }
+        let mut displacement = [0.0; LEN];
         series[0] = *state;
         for n in 0..LEN - 1 {
-            let first = LEN - 1 - n;
-            let row = series[n];
+            let (known, next) = series.split_at_mut(n + 1);
+            let (row, next) = (&known[n], &mut next[0]);
+            let factors = &mut factors[LEN - 1 - n..];
+            displacement[n] = row[0];
             if nonlinear {
-                square[first] = square_of(series, n);
+                factors[0][0] = square_of(&displacement[..=n]);
             }
-            let (mut cube, mut linear_cube) = (0.0, [0.0; 6]);
-            let (mut tooth, mut linear_tooth) = (0.0, [0.0; 4]);
-            for ((earlier, square), pulsation) in
-                series[..=n].iter().zip(&square[first..]).zip(&pulsation[first..])
-            {
-                cube += square * earlier[0];
-                for lane in 0..6 {
-                    linear_cube[lane] += square * earlier[4 + lane];
-                }
-                tooth += pulsation * earlier[U];
-                for lane in 0..4 {
-                    linear_tooth[lane] += pulsation * earlier[16 + lane];
+            let mut sums = [0.0; HALF];
+            for (earlier, [square, pulsation]) in known.iter().zip(&*factors) {
+                let factor: [f64; HALF] =
+                    std::array::from_fn(|lane| if lane < SUPPORTS { *square } else { *pulsation });
+                for lane in 0..HALF {
+                    sums[lane] += factor[lane] * earlier[lane];
                 }
             }
-            tooth = slope * (tooth + row[U]);
-            tooth -= offset * (pulsation[first] + if n == 0 { 1.0 } else { 0.0 });
-            for lane in 0..4 {
-                linear_tooth[lane] = slope * (linear_tooth[lane] + row[16 + lane]);
+            // The tooth force and its derivative, which push the supports' first five.
+            let mut mesh = [0.0; SUPPORTS];
+            for lane in 0..HALF - SUPPORTS {
+                let (at, rate) = (U + lane, HALF + U + lane);
+                mesh[lane] = slope * (sums[at] + row[at]) + mesh_damping * row[rate];
             }
-            let mesh = mesh_damping * row[3] + tooth;
-            let a = -(damping * row[2] + p.k_p * row[0] + p.alpha_p * cube + mesh) * inverse_mass;
+            mesh[0] -= offset * (forcing.pulsation[n] + if n == 0 { 1.0 } else { 0.0 });
+            let mut accelerations = [0.0; SUPPORTS];
+            for lane in 0..SUPPORTS {
+                let springs = p.k_p * row[lane] + cubic[lane] * sums[lane];
+                accelerations[lane] = -(damping * row[HALF + lane] + springs + mesh[lane]) * inverse_mass;
+            }
             let rate = 1.0 / (n + 1) as f64;
-            let mut linear_mesh = [0.0; 6];
-            for lane in 0..4 {
-                linear_mesh[lane] = mesh_damping * row[20 + lane] + linear_tooth[lane];
+            for lane in 0..HALF {
+                next[lane] = row[HALF + lane] * rate;
             }
-            let next = &mut series[n + 1];
-            next[0] = row[2] * rate;
-            next[1] = row[3] * rate;
-            next[2] = a * rate;
-            next[3] = (2.0 * a - mesh + forcing.load[n]) * rate;
-            let mut accelerations = [0.0; 6];
-            for lane in 0..6 {
-                accelerations[lane] = -(damping * row[10 + lane]
-                    + p.k_p * row[4 + lane]
-                    + 3.0 * p.alpha_p * linear_cube[lane]
-                    + linear_mesh[lane])
-                    * inverse_mass;
-                next[4 + lane] = row[10 + lane] * rate;
-                next[10 + lane] = accelerations[lane] * rate;
+            for lane in 0..SUPPORTS {
+                next[HALF + lane] = accelerations[lane] * rate;
             }
-            for lane in 0..4 {
-                next[16 + lane] = row[20 + lane] * rate;
-                next[20 + lane] = (2.0 * accelerations[lane] - linear_mesh[lane]) * rate;
+            for lane in 0..HALF - SUPPORTS {
+                next[HALF + U + lane] = (2.0 * accelerations[lane] - mesh[lane]) * rate;
             }
+            next[HALF + U] += forcing.load[n] * rate;
         }
     }
 }
 
-/// Coefficient n of the square of the first coordinate.
+/// The last coefficient of the square of a series.
 #[inline]
-fn square_of<const LEN: usize>(series: &Series<SIZE, LEN>, n: usize) -> f64 {
-    let mut pairs = 0.0;
-    for j in 0..n.div_ceil(2) {
-        pairs += series[j][0] * series[n - j][0];
-    }
-    let middle = if n.is_multiple_of(2) { series[n / 2][0] } else { 0.0 };
-    2.0 * pairs + middle * middle
+fn square_of(series: &[f64]) -> f64 {
+    let (half, odd) = (series.len() / 2, series.len() % 2);
+    let (front, back) = (&series[..half], &series[half + odd..]);
+    let pairs: f64 = front.iter().zip(back.iter().rev()).map(|(left, right)| left * right).sum();
+    2.0 * pairs + if odd == 1 { series[half] * series[half] } else { 0.0 }
 }

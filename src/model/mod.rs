@@ -1,5 +1,6 @@
 //! The gear pair: its parameters, its units, its equations of motion.
 
+pub mod angle;
 mod coefficients;
 pub mod equations;
 pub mod lanes;

@@ -1,6 +1,5 @@
 //! Algorithms that know no gears: integrators, roots, Floquet theory, periodic orbits.
 
-pub mod angle;
 pub mod birkhoff;
 pub mod characteristic;
 pub mod chebyshev;

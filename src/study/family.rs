@@ -307,7 +307,7 @@ impl Family for GearFamily {
         let centre = self.group.element(SIGN).map_or(0.0, |sign| sign.centre[2]);
         match Manifold::of(&p) {
             Some(field) if manifold::holds(state) => {
-                let mut seen = Seen::new(&[(0, 2, 4), (1, 3, 16)]);
+                let mut seen = Seen::new(&manifold::PLACES);
                 let [middle, end] =
                     self.carry(&field, manifold::start(state), kind.periods, &p, &mut seen)?;
                 half = manifold::full(&middle);

@@ -121,10 +121,6 @@ impl<const N: usize, const LEN: usize> Step<N, LEN> {
 /// rounding error does not ask for accuracy below it. The roots are taken to a per mille: a step need not be exact, and
 /// is then the same to the bit on every machine.
 pub fn step_length<const N: usize, const LEN: usize>(series: &Series<N, LEN>, tolerance: f64) -> f64 {
-    // Compared rather than by `max`, which wasm has as a call: no number counts that is none.
-    let largest = |row: &[f64; N]| {
-        row.iter().fold(0.0_f64, |most, value| if value.abs() > most { value.abs() } else { most })
-    };
     let (last, last_but_one) = (largest(&series[LEN - 1]), largest(&series[LEN - 2]));
     let size = largest(&series[0]);
     if last == 0.0 && last_but_one == 0.0 {
@@ -133,15 +129,37 @@ pub fn step_length<const N: usize, const LEN: usize>(series: &Series<N, LEN>, to
     if !(size + last + last_but_one).is_finite() {
         return f64::NAN;
     }
-    let allowed = rough_log2(tolerance * size.max(1e-6));
-    let by_term = |term: f64, order: usize| (allowed - rough_log2(term)) / order as f64;
-    rough_exp2(by_term(last, LEN - 1).min(by_term(last_but_one, LEN - 2)))
+    let allowed = rough_log2(tolerance * greater(size, 1e-6));
+    let by_term = |term: f64, order: usize| (allowed - rough_log2(term)) * (1.0 / order as f64);
+    let (by_last, by_last_but_one) = (by_term(last, LEN - 1), by_term(last_but_one, LEN - 2));
+    rough_exp2(if by_last < by_last_but_one { by_last } else { by_last_but_one })
+}
+
+/// Compared rather than by `max`, which wasm has as a call: the second where the first is no number.
+fn greater(one: f64, other: f64) -> f64 {
+    if one > other { one } else { other }
+}
+
+/// The largest size of a coordinate; of even and of odd places apart, which need not wait for one another. What is no number
+/// does not count.
+fn largest<const N: usize>(row: &[f64; N]) -> f64 {
+    let mut most = [0.0; 2];
+    let (pairs, rest) = row.as_chunks::<2>();
+    for pair in pairs {
+        for lane in 0..2 {
+            most[lane] = greater(pair[lane].abs(), most[lane]);
+        }
+    }
+    for value in rest {
+        most[0] = greater(value.abs(), most[0]);
+    }
+    greater(most[0], most[1])
 }
 
 /// The logarithm to base 2 of a number above zero, to 2e-3: its exponent and a parabola in its mantissa. Zero counts
 /// as the least normal number.
 fn rough_log2(number: f64) -> f64 {
-    let bits = number.max(f64::MIN_POSITIVE).to_bits();
+    let bits = greater(number, f64::MIN_POSITIVE).to_bits();
     let exponent = (bits >> 52) as f64 - 1023.0;
     let part = f64::from_bits(bits & 0x000f_ffff_ffff_ffff | 0x3ff0_0000_0000_0000) - 1.0;
     // Exact at both ends of the mantissa.
