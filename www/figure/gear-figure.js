@@ -110,7 +110,8 @@ export class GearFigure extends HTMLElement {
   #notice;
   /** @type {import("./asking.js").Asker} */
   #asker = {
-    here: () => this.#services?.engine.glances(this.#info?.id ?? "") === true,
+    // A handle that goes ahead is answer enough for this frame, which then has time for others.
+    here: () => this.#led() === null && this.#services?.engine.glances(this.#info?.id ?? "") === true,
     ask: (here) => this.#ask(false, here),
     lead: () => {
       if (this.#computation?.busy && this.inSight) this.#leadHandle();
@@ -591,11 +592,21 @@ export class GearFigure extends HTMLElement {
 
   /** @param {boolean} [silent]  See `withHandleAt`. */
   #leadHandle(silent) {
-    if (this.#figure === null) return;
-    const led = withHandleAt(this.#figure, (name) => this.#valueOf(name), silent);
-    if (led === this.#figure) return;
+    const led = this.#led(silent);
+    if (led === null) return;
     this.#ahead = led;
     this.#paintNow();
+  }
+
+  /**
+   * What is drawn with its handle where it stands by now; null where that changes nothing.
+   *
+   * @param {boolean} [silent]
+   */
+  #led(silent) {
+    if (this.#figure === null) return null;
+    const led = withHandleAt(this.#figure, (name) => this.#valueOf(name), silent);
+    return led === this.#figure ? null : led;
   }
 
   /** What a parameter is at present; null for what is none of the figure's. @param {string} name */
