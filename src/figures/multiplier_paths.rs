@@ -8,7 +8,7 @@ use crate::chart::drawing::{Drawing, Frame, Role};
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
 use crate::order;
-use crate::study::multipliers::{Multipliers, multipliers, unloaded};
+use crate::study::multipliers::{Multipliers, multipliers, spectrum, unloaded};
 use std::f64::consts::TAU;
 
 /// How far the path beside the circle reaches on either side, over the present mesh frequency.
@@ -19,8 +19,8 @@ const FAR: usize = 300;
 /// The same about the response to a load, each of which must be found first.
 const NEAR_LOADED: usize = 41;
 const FAR_LOADED: usize = 60;
-/// Frequencies computed in one slice; with a load one by one.
-const SLICE: usize = 64;
+/// Frequencies computed in one slice, mostly all of them: they take some milliseconds. With a load one by one.
+const SLICE: usize = 512;
 /// Tolerance of the multipliers at the handle, and of those along the way.
 const TOLERANCE: f64 = 1e-10;
 const ALONG: f64 = 1e-8;
@@ -71,7 +71,7 @@ impl MultiplierPaths {
         let p = &self.parameters;
         let ratio = omega / p.omega;
         let at = Parameters { omega, omega_p: p.omega_p * ratio, omega_g: p.omega_g * ratio, ..*p };
-        let found = multipliers(&at, ALONG).ok()?;
+        let found = spectrum(&at, ALONG).ok()?;
         Some(std::array::from_fn(|index| (found.re[index], found.im[index])))
     }
 

@@ -250,6 +250,20 @@ pub fn multipliers(p: &Parameters, tolerance: f64) -> Result<Multipliers, StudyE
     })
 }
 
+/// The multipliers alone, without the second computation that tells their error: for a row of neighbours, one of which
+/// [`multipliers`] answers for.
+///
+/// # Errors
+/// As [`multipliers`].
+pub fn spectrum(p: &Parameters, tolerance: f64) -> Result<Spectrum, StudyError> {
+    if unloaded(p) {
+        motion::check_tolerance(tolerance)?;
+        return Ok(floquet::spectrum(&matrix(&linear_monodromy(p, tolerance, 1.0)?))?);
+    }
+    let Multipliers { re, im, .. } = multipliers(p, tolerance)?;
+    Ok(Spectrum { re, im })
+}
+
 fn about_trivial_state(p: &Parameters, tolerance: f64) -> Result<Multipliers, StudyError> {
     let coarse = floquet::spectrum(&matrix(&linear_monodromy(p, tolerance, 1.0)?))?;
     let fine = matrix(&linear_monodromy(p, tolerance, 0.5)?);
