@@ -3,6 +3,7 @@
 //! The context's transform takes our units to pixels of the backing store, so that whole numbers of units are
 //! fractions of a pixel: curves are smooth and sharp at any density of the screen.
 
+use std::cell::RefCell;
 use std::fmt;
 
 use plotters_backend::{
@@ -19,6 +20,7 @@ use crate::chart::cloud::coverage;
 use crate::chart::metrics::{FAMILY, Face};
 use crate::chart::surface::{Cloud, Image, Lettering, Stroke, Surface, UNITS, plain_size, set_plain};
 use crate::chart::svg::check_size;
+use crate::chart::theme::Color;
 use crate::error::ChartError;
 
 /// A failure of the canvas, in its own words.
@@ -113,6 +115,43 @@ fn layer(
     let onto: OffscreenCanvasRenderingContext2d =
         onto.ok_or_else(|| failed(&JsValue::from_str("no 2-D context for an image")))?;
     onto.put_image_data(&pixels, 0.0, 0.0).map_err(js)?;
+    Ok(layer)
+}
+
+/// A field as it was painted last, with the canvas that holds it.
+struct Field {
+    pixels: Vec<u8>,
+    columns: usize,
+    colors: Vec<Color>,
+    layer: OffscreenCanvas,
+}
+
+thread_local! {
+    /// A chart whose handle is dragged is drawn in every frame with the same field: half of its time would go into making that anew.
+    static LAST: RefCell<Option<Field>> = const { RefCell::new(None) };
+}
+
+/// A field on a canvas of its own: the one painted last, where nothing in it has changed.
+fn field_layer(image: &Image<'_>) -> Result<OffscreenCanvas, DrawingErrorKind<CanvasFailure>> {
+    let Image { pixels, columns, colors } = *image;
+    let known = LAST.with_borrow(|last| {
+        let same =
+            |field: &&Field| field.columns == columns && field.colors == colors && field.pixels == pixels;
+        last.as_ref().filter(same).map(|field| field.layer.clone())
+    });
+    if let Some(layer) = known {
+        return Ok(layer);
+    }
+    let mut bytes = vec![0_u8; 4 * pixels.len()];
+    for (pixel, &index) in bytes.chunks_exact_mut(4).zip(pixels) {
+        if let Some(color) = colors.get(usize::from(index)) {
+            pixel.copy_from_slice(&[color.0, color.1, color.2, 255]);
+        }
+    }
+    let wide = columns.max(1);
+    let layer = layer(&bytes, (wide as u32, (pixels.len() / wide) as u32))?;
+    let field = Field { pixels: pixels.to_vec(), columns, colors: colors.to_vec(), layer: layer.clone() };
+    LAST.set(Some(field));
     Ok(layer)
 }
 
@@ -265,14 +304,7 @@ impl Surface for CanvasSurface {
         (left, top): BackendCoord,
         (right, bottom): BackendCoord,
     ) -> Outcome {
-        let columns = image.columns.max(1);
-        let mut bytes = vec![0_u8; 4 * image.pixels.len()];
-        for (pixel, &index) in bytes.chunks_exact_mut(4).zip(image.pixels) {
-            if let Some(color) = image.colors.get(usize::from(index)) {
-                pixel.copy_from_slice(&[color.0, color.1, color.2, 255]);
-            }
-        }
-        let layer = layer(&bytes, (columns as u32, (image.pixels.len() / columns) as u32))?;
+        let layer = field_layer(image)?;
         let [x, y, wide, high] = [left, top, right - left, bottom - top].map(f64::from);
         self.context
             .draw_image_with_offscreen_canvas_and_dw_and_dh(&layer, x, y, wide, high)

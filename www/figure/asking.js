@@ -9,7 +9,7 @@
  */
 
 /** What figures may take of a frame for answers, ms. */
-const BUDGET = 24;
+const BUDGET = 28;
 
 /** @type {Set<Asker>} */
 const waiting = new Set();
@@ -19,6 +19,15 @@ let frame = 0;
 export function askInFrame(asker) {
   waiting.add(asker);
   if (frame === 0) frame = requestAnimationFrame(askAll);
+}
+
+/**
+ * Whether it asks in the frame that comes.
+ *
+ * @param {Asker} asker
+ */
+export function asksInFrame(asker) {
+  return waiting.has(asker);
 }
 
 /**

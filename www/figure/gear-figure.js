@@ -23,7 +23,7 @@ import { spoken, spokenFigure } from "../words/engine.js";
 import { decimalSign, onLanguage, say } from "../words/say.js";
 import { withHandleAt } from "./ahead.js";
 import { coarseDensity, density, onAppearance, resolveTheme, wantsStill } from "./appearance.js";
-import { askInFrame, askNoMore } from "./asking.js";
+import { askInFrame, askNoMore, asksInFrame } from "./asking.js";
 import { givenByAttributes } from "./attributes.js";
 import { createButtons, wholeButton } from "./bar.js";
 import { Computation } from "./computation.js";
@@ -114,7 +114,8 @@ export class GearFigure extends HTMLElement {
     here: () => this.#led() === null && this.#services?.engine.glances(this.#info?.id ?? "") === true,
     ask: (here) => this.#ask(false, here),
     lead: () => {
-      if (this.#computation?.busy && this.inSight) this.#leadHandle();
+      if (this.#clock?.playing) this.#paintNow();
+      else if (this.#computation?.busy && this.inSight) this.#leadHandle();
     },
   };
   /** Whether what is drawn has yet to be drawn as finely as it should be. */
@@ -436,8 +437,11 @@ export class GearFigure extends HTMLElement {
   #furnish(info, provided) {
     const { canvas, buttons } = this.#parts;
     if (info.animated) {
-      // It ticks in a frame: to wait for the next one would show every second moment only.
-      this.#clock = new Clock(() => this.#paintNow());
+      // It ticks in a frame: to wait for the next one would show every second moment only. What is about to be answered in
+      // this very frame is drawn then.
+      this.#clock = new Clock(() => {
+        if (!asksInFrame(this.#asker)) this.#paintNow();
+      });
       this.#clock.seen = this.inSight;
       canvas.onkeydown = (event) => {
         if (event.key !== " ") return;
