@@ -110,6 +110,14 @@ pub fn linear_monodromy(p: &Parameters, tolerance: f64, step_factor: f64) -> Res
     Ok(pair.monodromy_from_half(&linear::rows(&half)))
 }
 
+/// The multipliers of [`linear_monodromy`].
+///
+/// # Errors
+/// As there, or as [`floquet::spectrum`].
+pub fn linear_spectrum(p: &Parameters, tolerance: f64) -> Result<Spectrum, NumericsError> {
+    floquet::spectrum(&matrix(&linear_monodromy(p, tolerance, 1.0)?))
+}
+
 /// Steps that a search may take in all its integrations: some seconds at most, a hundred times what ordinary
 /// parameters need. Stiff and slow corners of the ranges would otherwise take minutes.
 #[derive(Clone, Debug)]
@@ -258,14 +266,14 @@ pub fn multipliers(p: &Parameters, tolerance: f64) -> Result<Multipliers, StudyE
 pub fn spectrum(p: &Parameters, tolerance: f64) -> Result<Spectrum, StudyError> {
     if unloaded(p) {
         motion::check_tolerance(tolerance)?;
-        return Ok(floquet::spectrum(&matrix(&linear_monodromy(p, tolerance, 1.0)?))?);
+        return Ok(linear_spectrum(p, tolerance)?);
     }
     let Multipliers { re, im, .. } = multipliers(p, tolerance)?;
     Ok(Spectrum { re, im })
 }
 
 fn about_trivial_state(p: &Parameters, tolerance: f64) -> Result<Multipliers, StudyError> {
-    let coarse = floquet::spectrum(&matrix(&linear_monodromy(p, tolerance, 1.0)?))?;
+    let coarse = linear_spectrum(p, tolerance)?;
     let fine = matrix(&linear_monodromy(p, tolerance, 0.5)?);
     let spectrum = floquet::spectrum(&fine)?;
     let trace = GearPair::new(p).trace();

@@ -7,12 +7,11 @@
 use super::grid::Grid;
 use super::linear_floquet::{LinearFloquet, factorise};
 use super::motion;
-use super::multipliers::linear_monodromy;
+use super::multipliers::linear_spectrum;
 use crate::error::{NumericsError, StudyError};
 use crate::model::parameters::Parameters;
 use crate::numerics::characteristic::{self, Characteristic, Factors, Top};
-use crate::numerics::periodic::matrix;
-use crate::numerics::{chebyshev, floquet};
+use crate::numerics::chebyshev;
 use std::f64::consts::PI;
 
 /// The largest modulus of the six multipliers over a plane.
@@ -134,7 +133,7 @@ fn spot_checks(p: &Parameters, omega: Grid, k0: Grid, radius: &[f64]) -> Result<
 /// The spectral radius from the whole monodromy matrix by other code than the chart's.
 fn direct_radius(p: &Parameters, omega: f64, k0: f64) -> Result<f64, NumericsError> {
     let here = Parameters { k0, omega, ..*p };
-    Ok(floquet::spectrum(&matrix(&linear_monodromy(&here, 1e-14, 1.0)?))?.radius())
+    Ok(linear_spectrum(&here, 1e-14)?.radius())
 }
 
 /// Interpolated coefficients c_1 to c_{n-1} of the characteristic polynomial over the chart; c_n is known exactly.
