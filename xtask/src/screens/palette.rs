@@ -8,7 +8,7 @@ type Color = [u8; 3];
 /// Colours of the table for a picture that fits a screen or two.
 const ALL: usize = 256;
 /// Those of a larger one: with more it looks the same but for its ramps, and the repository has not the room.
-const OF_LARGE: usize = 96;
+const OF_LARGE: usize = 72;
 /// Pixels from which a picture is large.
 const LARGE: usize = 4_000_000;
 /// Sides of the grid's cells to be tried; the coarsest has fewer cells than the table has room for.
