@@ -207,3 +207,23 @@ test("a page that was hidden in the middle of things goes on when it is shown ag
   await figure(page, "1").scrollIntoViewIfNeeded();
   await figure(page, "1").evaluate((element) => new Promise((resolve) => element.addEventListener("gear-paint", resolve, { once: true })));
 });
+
+for (const [address, asked] of /** @type {const} */ ([["", [{}]], ["#v=1&Omega=1.65", [{ Omega: 1.65 }]]])) {
+  test(`the first figure is asked for once${address && ", with what the address says"}`, async ({ page }) => {
+    await page.addInitScript(() => {
+      const runs = (/** @type {any} */ (window).runs = /** @type {any[]} */ ([]));
+      const post = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = function (/** @type {any[]} */ ...all) {
+        if (all[0]?.type === "run") runs.push({ id: all[0].id, given: all[0].given });
+        return post.apply(this, /** @type {any} */ (all));
+      };
+    });
+    await open(page, address);
+    expect(await page.locator("gear-figure").first().getAttribute("figure")).toBe(await page.locator("html").getAttribute("data-first-figure"));
+    const shown = await data(page, "1");
+    const runs = await page.evaluate(() => /** @type {any} */ (window).runs.filter((/** @type {any} */ run) => run.id === "1"));
+    expect(runs).toHaveLength(1);
+    expect(runs[0].given).toEqual(expect.objectContaining(asked[0]));
+    expect(shown.params.Omega).toBe(address === "" ? 1.6 : 1.65);
+  });
+}

@@ -57,6 +57,8 @@ const REST = Object.freeze({ least: 2, most: 1024 });
 export class Engine {
   #gear;
   #pool;
+  /** What was asked before anybody could, and not taken up yet. @type {Early | null} */
+  #early;
   /**
    * How glances at each figure went: how many took too long running, how often it is not to be tried now, and the next time.
    *
@@ -78,10 +80,12 @@ export class Engine {
   /**
    * @param {Gear} gear
    * @param {Pool} pool
+   * @param {Early | null} [early]
    */
-  constructor(gear, pool) {
+  constructor(gear, pool, early = null) {
     this.#gear = gear;
     this.#pool = pool;
+    this.#early = early;
     this.figures = new Map(gear.figures().map((info) => [info.id, info]));
     const parameters = [...gear.defaults(), ...[...this.figures.values()].flatMap((info) => info.parameters)];
     this.vocabulary = new Map([...parameters.flatMap(shortForm), ...parameters].map((info) => [info.name, info]));
@@ -105,6 +109,7 @@ export class Engine {
       /** @type {number[]} */
       const tickets = [];
       const stop = () => tickets.forEach((ticket) => this.#pool.cancel(ticket));
+      const early = this.#takeEarly(id, given);
       const abandon = () => {
         stop();
         reject(signal?.reason);
@@ -112,7 +117,7 @@ export class Engine {
       const over = () => signal?.removeEventListener("abort", abandon);
       const run = () => {
         if (signal?.aborted) return;
-        const parts = this.#parts(id, given);
+        const parts = early === null ? this.#parts(id, given) : 1;
         const pictures = Array(parts).fill(null);
         const done = Array(parts).fill(false);
         for (let part = 0; part < parts; part += 1) {
@@ -121,33 +126,47 @@ export class Engine {
             pictures[part] = figure;
             return parts === 1 ? figure : merged(pictures, done);
           };
-          tickets.push(
-            this.#pool.run(
-              { id, given, heavy, priority, part, parts },
-              {
-                partial: (figure) => partial?.(picture(figure)),
-                restarted: () => restarted?.(),
-                done: (figure) => {
-                  done[part] = true;
-                  const all = picture(figure);
-                  if (!done.every(Boolean)) return;
-                  over();
-                  resolve(all);
-                },
-                failed: (error) => {
-                  over();
-                  stop();
-                  reject(new GearError(error));
-                },
-              },
-            ),
-          );
+          /** @type {import("./pool.js").Answers} */
+          const answers = {
+            partial: (figure) => partial?.(picture(figure)),
+            restarted: () => restarted?.(),
+            done: (figure) => {
+              done[part] = true;
+              const all = picture(figure);
+              if (!done.every(Boolean)) return;
+              over();
+              resolve(all);
+            },
+            failed: (error) => {
+              over();
+              stop();
+              reject(new GearError(error));
+            },
+          };
+          tickets.push(early === null ? this.#pool.run({ id, given, heavy, priority, part, parts }, answers) : early.takenUp(answers));
         }
       };
       signal?.addEventListener("abort", abandon, { once: true });
       if (AT_ONCE.test(id)) run();
       else void this.#opened.then(run);
     });
+  }
+
+  /**
+   * The question that was asked early, if it is this one: to be had once. Where it is another it was a wrong guess.
+   *
+   * @param {string} id
+   * @param {Given} given
+   */
+  #takeEarly(id, given) {
+    const early = this.#early;
+    if (early === null || early.id !== id) return null;
+    this.#early = null;
+    const parameters = this.figures.get(id)?.parameters ?? [];
+    const own = Object.entries(given).every(([name, value]) => parameters.some((info) => info.name === name && info.default === value));
+    if (own) return early;
+    this.#pool.cancel(early.ticket);
+    return null;
   }
 
   /**
@@ -309,15 +328,54 @@ export class Engine {
 }
 
 /**
+ * A figure with its own parameters, asked for before the page can: what is said of it is kept until somebody listens.
+ *
+ * @typedef {{id: string, ticket: number, takenUp: (answers: import("./pool.js").Answers) => number}} Early
+ */
+
+/**
+ * @param {Pool} pool
+ * @param {string} id
+ * @returns {Early}
+ */
+function askEarly(pool, id) {
+  /** @type {((answers: import("./pool.js").Answers) => void)[]} */
+  const said = [];
+  /** @type {import("./pool.js").Answers | null} */
+  let listening = null;
+  const say = (/** @type {(answers: import("./pool.js").Answers) => void} */ what) => {
+    if (listening === null) said.push(what);
+    else what(listening);
+  };
+  const ticket = pool.run(
+    { id, given: {}, heavy: false, priority: PRIORITY.shown, part: 0, parts: 1 },
+    {
+      partial: (figure) => say((answers) => answers.partial(figure)),
+      done: (figure) => say((answers) => answers.done(figure)),
+      failed: (error) => say((answers) => answers.failed(error)),
+      restarted: () => say((answers) => answers.restarted()),
+    },
+  );
+  const takenUp = (/** @type {import("./pool.js").Answers} */ answers) => {
+    listening = answers;
+    for (const what of said.splice(0)) what(answers);
+    return ticket;
+  };
+  return { id, ticket, takenUp };
+}
+
+/**
  * Starts everything: fetches and compiles the module once, and brings up the workers meanwhile.
  *
+ * @param {string | null} [first]  A figure that will be asked for first, with its own parameters: computed as soon as can be.
  * @returns {Promise<Engine>} rejected with a `GearError` of code `load`
  */
-export async function startEngine() {
+export async function startEngine(first = null) {
   const loading = Promise.resolve(wasm()).then((source) => load(source));
   const pool = new Pool(
     loading.then((gear) => gear.module),
     poolSize(navigator.hardwareConcurrency ?? 2),
   );
-  return new Engine(await loading, pool);
+  const early = first === null ? null : askEarly(pool, first);
+  return new Engine(await loading, pool, early);
 }

@@ -7,6 +7,9 @@ import { GearError, PRIORITY, startEngine } from "./client.js";
 
 export { GearError, PRIORITY };
 
-export const engine = startEngine();
+/** What the page opens with, for its figures may still be on their way; an address may say otherwise. */
+const first = location.hash === "" ? document.documentElement.dataset.firstFigure : undefined;
+
+export const engine = startEngine(first ?? null);
 // Each figure says itself what failed.
 engine.catch(() => {});

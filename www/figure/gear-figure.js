@@ -125,9 +125,7 @@ export class GearFigure extends HTMLElement {
   #life = new AbortController();
   /** When its turn has come. @type {Promise<void>} */
   #begun = Promise.resolve();
-  /** Whether it was on the screen when it began: the observer says so only after the next frame. */
-  #standing = false;
-  /** Whether it is on the screen or nearly so. */
+  /** Whether it is on the screen or nearly so: by its place when it began, for the observer says so only after the next frame. */
   inSight = false;
 
   constructor() {
@@ -188,7 +186,7 @@ export class GearFigure extends HTMLElement {
         inTurn({
           stands: () => this.#stands(),
           begin: (stands) => {
-            this.#standing = stands;
+            this.inSight ||= stands;
             this.#begin(provided, signal);
             tellBegun();
           },
@@ -398,7 +396,7 @@ export class GearFigure extends HTMLElement {
         engine.compute(id, given, {
           signal: ended,
           partial,
-          priority: this.inSight || this.#standing ? priority.shown : priority.hidden,
+          priority: this.inSight ? priority.shown : priority.hidden,
           restarted: () => this.#say(say("figure.replaced")),
         }),
       // The first picture of all figures is the workers': here they would come one after another.
@@ -720,7 +718,6 @@ export class GearFigure extends HTMLElement {
   /** @param {boolean} inSight */
   #see(inSight) {
     this.inSight = inSight;
-    this.#standing = false;
     if (inSight && this.#postponed) this.#ask();
     if (inSight && (this.#coarse || this.#computation?.busy)) this.#repaint();
     if (this.#clock) this.#clock.seen = inSight;

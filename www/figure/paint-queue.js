@@ -19,6 +19,12 @@ const warm = new WeakSet();
 let asking = [];
 let framed = false;
 let posted = false;
+/** Whether anything has been drawn yet. */
+let begun = false;
+/** What waits until then. @type {(() => void)[]} */
+const waitingForFirst = [];
+/** What waits for a first drawing waits no longer than this, ms. */
+const FIRST_PATIENCE = 400;
 
 const between = new MessageChannel();
 between.port1.onmessage = paintBetween;
@@ -26,7 +32,29 @@ between.port1.onmessage = paintBetween;
 /** @param {Painter} painter */
 export function requestPaint(painter) {
   waiting.add(painter);
-  schedule();
+  // The very first picture waits for nothing: the frame after it shows it.
+  if (!begun && painter.inSight) paint(painter);
+  else schedule();
+}
+
+/**
+ * Work that would take the processor from the page's very first drawing: done after it, or when that takes too long.
+ *
+ * @param {() => void} work
+ */
+export function afterFirst(work) {
+  if (begun) {
+    work();
+    return;
+  }
+  if (waitingForFirst.length === 0) setTimeout(waitNoMore, FIRST_PATIENCE);
+  waitingForFirst.push(work);
+}
+
+/** Does what waits for the first drawing. */
+export function waitNoMore() {
+  begun = true;
+  for (const work of waitingForFirst.splice(0)) work();
 }
 
 /** @param {Painter} painter */
@@ -100,4 +128,5 @@ function paint(painter) {
   waiting.delete(painter);
   warm.add(painter);
   painter.paint();
+  if (!begun) waitNoMore();
 }

@@ -1,12 +1,14 @@
 /**
- * Figures begin in turn: those that stand on the screen at once, the others between whatever else the page has to do, for
- * thirty of them in one go would hold it up.
+ * Figures begin in turn: the first that stands on the screen at once, the others there when it is drawn, the rest between whatever
+ * else the page has to do, for thirty of them in one go would hold it up.
  *
  * @typedef {object} Beginner
  * @property {() => boolean} stands  Whether it is on the screen by its place.
  * @property {(stands: boolean) => void} begin
  * @property {AbortSignal} signal  Once it is aborted there is nobody to begin.
  */
+
+import { afterFirst, waitNoMore } from "./paint-queue.js";
 
 /** As style/story.css has it. */
 const HELD_BACK = ':root[data-opening] main > [data-view="story"]:not([hidden]) > section:not(.laid-out)';
@@ -42,15 +44,21 @@ function beginShown() {
   const standing = arriving.map((beginner) => ({ beginner, stands: !beginner.signal.aborted && beginner.stands() }));
   arriving = [];
   const idle = waiting.length === 0;
-  for (const { beginner, stands } of standing) {
-    if (stands) beginner.begin(true);
-    else waiting.push(beginner);
-  }
-  if (idle && waiting.length > 0) between.port2.postMessage(null);
+  const [first, ...shown] = standing.filter(({ stands }) => stands);
+  waiting.push(...standing.flatMap(({ beginner, stands }) => (stands ? [] : [beginner])));
+  const others = () => {
+    for (const { beginner } of shown) if (!beginner.signal.aborted) beginner.begin(true);
+    if (idle && waiting.length > 0) between.port2.postMessage(null);
+  };
+  first?.beginner.begin(true);
+  // While a page opens, what the workers do for the others they do at the cost of what is about to be seen.
+  if (first === undefined) others();
+  else afterFirst(others);
 }
 
 /** Begins all at once, for where nothing can be waited for. */
 export function beginAll() {
+  waitNoMore();
   beginShown();
   for (const { begin, signal } of waiting.splice(0)) if (!signal.aborted) begin(false);
 }
