@@ -62,10 +62,7 @@ struct Letter {
     level: Level,
 }
 
-/// The font size nearest to a wanted one in steps of half a pixel.
-///
-/// Each canvas keeps every font it has ever set, with what it knows of its letters: sizes that follow the width of the picture
-/// smoothly would fill some 30 kB each, of every chart, whenever the window changes.
+/// The font size nearest to a wanted one in steps of half a pixel: what is meant to be of one size is, however it was reckoned.
 fn font_size(wanted: f64) -> f64 {
     (2.0 * wanted).round().max(1.0) / 2.0
 }

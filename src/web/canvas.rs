@@ -23,6 +23,9 @@ use crate::chart::svg::check_size;
 use crate::chart::theme::Color;
 use crate::error::ChartError;
 
+/// All letters are set in this size, CSS pixels, and scaled to theirs: each canvas keeps every font it has ever set, some 30 kB each.
+const TYPE_SIZE: f64 = 20.0;
+
 /// A failure of the canvas, in its own words.
 #[derive(Debug)]
 pub struct CanvasFailure(String);
@@ -236,18 +239,12 @@ impl Surface for CanvasSurface {
     fn lettering(&mut self, lettering: &Lettering<'_>) -> Outcome {
         let (density, units) = (self.density, f64::from(UNITS));
         let (x, y) = (f64::from(lettering.at.0) / units, f64::from(lettering.at.1) / units);
-        // Letters are set in CSS pixels: a font of a thousand units scaled down again would be set without care.
-        let turned =
-            if lettering.upwards { [0.0, -density, density, 0.0] } else { [density, 0.0, 0.0, density] };
-        let [a, b, c, d] = turned;
         let context = &self.context;
-        context.set_transform(a, b, c, d, x * density, y * density).map_err(|error| failed(&error))?;
         context.set_text_align("left");
         context.set_text_baseline("alphabetic");
         context.set_fill_style_str(&css(lettering.color));
-        if let Some(Stroke { color, width }) = lettering.halo {
+        if let Some(Stroke { color, .. }) = lettering.halo {
             context.set_stroke_style_str(&css(color));
-            context.set_line_width(f64::from(width) / units);
         }
         // All rims first: the rim of one run must not eat into its neighbour.
         for rim in [true, false] {
@@ -260,11 +257,20 @@ impl Surface for CanvasSurface {
                     Face::Italic => "italic ",
                     Face::Bold => "bold ",
                 };
-                context.set_font(&format!("{face}{}px {FAMILY}", run.size));
-                let set = if rim {
-                    context.stroke_text(&run.text, run.x, run.y)
+                context.set_font(&format!("{face}{TYPE_SIZE}px {FAMILY}"));
+                let enlarged = run.size / TYPE_SIZE;
+                let scale = density * enlarged;
+                let [a, b, c, d] =
+                    if lettering.upwards { [0.0, -scale, scale, 0.0] } else { [scale, 0.0, 0.0, scale] };
+                context
+                    .set_transform(a, b, c, d, x * density, y * density)
+                    .map_err(|error| failed(&error))?;
+                let (run_x, run_y) = (run.x / enlarged, run.y / enlarged);
+                let set = if let Some(Stroke { width, .. }) = lettering.halo.filter(|_| rim) {
+                    context.set_line_width(f64::from(width) / units / enlarged);
+                    context.stroke_text(&run.text, run_x, run_y)
                 } else {
-                    context.fill_text(&run.text, run.x, run.y)
+                    context.fill_text(&run.text, run_x, run_y)
                 };
                 set.map_err(|error| failed(&error))?;
             }
@@ -278,23 +284,21 @@ impl Surface for CanvasSurface {
             cloud.points.iter().map(|&(x, y)| (f64::from(x) * scale, f64::from(y) * scale)).collect();
         let store = (self.store.0 as usize, self.store.1 as usize);
         let diameter = f64::from(cloud.diameter) * scale;
-        let Some(image) = coverage(&points, diameter, cloud.color.alpha, store) else {
-            return Ok(());
-        };
         let (red, green, blue) = cloud.color.rgb;
-        // Most pixels stay empty: their colour does not matter.
-        let mut bytes = vec![0_u8; 4 * image.alpha.len()];
-        for (pixel, &alpha) in bytes.chunks_exact_mut(4).zip(&image.alpha) {
-            if alpha > 0.0 {
-                pixel.copy_from_slice(&[red, green, blue, (alpha * 255.0).round() as u8]);
-            }
-        }
-        let (width, height) = (image.size.0 as u32, image.size.1 as u32);
-        let (left, top) = (image.origin.0 as f64, image.origin.1 as f64);
-        let layer = layer(&bytes, (width, height))?;
         let js = |error: JsValue| failed(&error);
         self.context.set_transform(1.0, 0.0, 0.0, 1.0, 0.0, 0.0).map_err(js)?;
-        self.context.draw_image_with_offscreen_canvas(&layer, left, top).map_err(js)?;
+        for image in coverage(&points, diameter, cloud.color.alpha, store) {
+            // Most pixels stay empty: their colour does not matter.
+            let mut bytes = vec![0_u8; 4 * image.alpha.len()];
+            for (pixel, &alpha) in bytes.chunks_exact_mut(4).zip(&image.alpha) {
+                if alpha > 0.0 {
+                    pixel.copy_from_slice(&[red, green, blue, (alpha * 255.0).round() as u8]);
+                }
+            }
+            let layer = layer(&bytes, (image.size.0 as u32, image.size.1 as u32))?;
+            let (left, top) = (image.origin.0 as f64, image.origin.1 as f64);
+            self.context.draw_image_with_offscreen_canvas(&layer, left, top).map_err(js)?;
+        }
         self.in_units()
     }
 

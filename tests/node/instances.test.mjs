@@ -101,3 +101,21 @@ test("a GearError keeps its fields through JSON, whatever was given", () => {
   });
   assert.ok(error instanceof Error && error instanceof GearError);
 });
+
+test("memory is given back on request, and the next call starts the module anew", async () => {
+  const own = await load();
+  const rest = () => /** @type {any} */ (own).rest();
+  const before = own.multipliers();
+  own.figure("14a");
+  const grown = rest();
+  assert.ok(grown > 3e6, `${grown} bytes`);
+  assert.equal(rest(), 0, "there is nothing more to give");
+  assert.deepEqual(own.multipliers(), before);
+  const steps = own.progress("12a");
+  steps.next();
+  assert.equal(rest(), 0, "not from under a computation");
+  assert.equal(steps.next().done, false);
+  steps.return();
+  const small = rest();
+  assert.ok(small > 0 && small < grown, `${small} bytes`);
+});

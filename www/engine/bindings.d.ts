@@ -17,7 +17,7 @@ export interface RawProgress {
 
 /** The raw calls: anything in, plain data out, a plain object with the fields of a GearError thrown. */
 export interface Bindings {
-  initSync(source: { module: WebAssembly.Module }): unknown;
+  initSync(source: { module: WebAssembly.Module }): { memory: WebAssembly.Memory };
   defaults(): unknown;
   fromPhysical(si: unknown): unknown;
   toPhysical(params: unknown, scales: unknown): unknown;

@@ -24,7 +24,7 @@ import { GearError, load } from "../../gear-bifurcations.js";
 import { wasm } from "./delivery.js";
 import { merged } from "./parts.js";
 import { Pool, poolSize } from "./pool.js";
-import { PRIORITY } from "./protocol.js";
+import { PRIORITY, giveBack } from "./protocol.js";
 
 export { GearError, PRIORITY };
 
@@ -321,6 +321,12 @@ export class Engine {
     this.#open();
   }
 
+  /** Gives back the memory of what does not compute: for a page that nobody looks at. */
+  rest() {
+    giveBack(this.#gear);
+    this.#pool.rest();
+  }
+
   /** What tests need to look at and to break. */
   get pool() {
     return this.#pool;
@@ -377,5 +383,9 @@ export async function startEngine(first = null) {
     poolSize(navigator.hardwareConcurrency ?? 2),
   );
   const early = first === null ? null : askEarly(pool, first);
-  return new Engine(await loading, pool, early);
+  const engine = new Engine(await loading, pool, early);
+  document.addEventListener("visibilitychange", () => {
+    if (document.hidden) engine.rest();
+  });
+  return engine;
 }

@@ -151,13 +151,20 @@ function isGearErrorFields(thrown) {
  * @returns {Gear}
  */
 function createGear(module) {
-  let bindings = instantiate();
+  /** Null while the module rests. @type {Bindings | null} */
+  let bindings = null;
+  let bytes = () => 0;
+  /** Computations that are under way in the instance. */
+  let running = 0;
+  bindings = instantiate();
 
   /** @returns {Bindings} */
   function instantiate() {
     try {
       const fresh = createBindings();
-      fresh.initSync({ module });
+      const { memory } = fresh.initSync({ module });
+      bytes = () => memory.buffer.byteLength;
+      running = 0;
       return fresh;
     } catch (thrown) {
       throw ownError("load", `the module could not be started: ${words(thrown)}`);
@@ -171,7 +178,7 @@ function createGear(module) {
    * @returns {any}
    */
   function call(run) {
-    const used = bindings;
+    const used = (bindings ??= instantiate());
     try {
       return run(used);
     } catch (thrown) {
@@ -192,20 +199,23 @@ function createGear(module) {
     let job = call((raw) => raw.progress(id, p, options));
     const divided = call(() => job?.divided() ?? false);
     const home = bindings;
+    running += 1;
 
     function stop() {
       const ended = job;
       job = null;
       // Memory of an instance that trapped is gone with it.
-      if (ended && home === bindings) call(() => ended.free());
+      if (!ended || home !== bindings) return;
+      running -= 1;
+      call(() => ended.free());
     }
 
     /** @type {FigureProgress} */
     const steps = {
       divided,
       next() {
-        const running = job;
-        if (!running) return { value: undefined, done: true };
+        const current = job;
+        if (!current) return { value: undefined, done: true };
         if (home !== bindings) {
           job = null;
           throw ownError("internal", "the computation was lost when the module was started anew");
@@ -214,8 +224,8 @@ function createGear(module) {
         try {
           /** @type {ProgressStep} */
           const value = call(() => {
-            completed = running.advance();
-            return { figure: running.figure(), done: completed };
+            completed = current.advance();
+            return { figure: current.figure(), done: completed };
           });
           if (completed) stop();
           return { value, done: false };
@@ -268,10 +278,23 @@ function createGear(module) {
       /** @type {unknown} */ options,
     ) => call((raw) => raw.draw(idOrFigure, p, canvas, options)),
   };
-  // For measurements and for the test of what follows a trap; no part of the contract.
-  Object.defineProperty(gear, "bench", {
-    value: (/** @type {unknown} */ job, /** @type {unknown} */ repetitions) =>
-      call((raw) => raw.bench(job, repetitions)),
+  // For measurements, and for pages that nobody looks at; no part of the contract.
+  Object.defineProperties(gear, {
+    bench: {
+      value: (/** @type {unknown} */ job, /** @type {unknown} */ repetitions) =>
+        call((raw) => raw.bench(job, repetitions)),
+    },
+    /**
+     * Gives the memory back, which never shrinks by itself; the next call starts the module anew. Nothing happens while a
+     * computation is under way. Returns the bytes that were given back.
+     */
+    rest: {
+      value: () => {
+        if (bindings === null || running > 0) return 0;
+        bindings = null;
+        return bytes();
+      },
+    },
   });
   return /** @type {Gear} */ (/** @type {unknown} */ (Object.freeze(gear)));
 }

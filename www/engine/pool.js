@@ -127,6 +127,11 @@ export class Pool {
     for (const seat of this.#seats) this.#say(seat, { type: "pace", firstPictures: false });
   }
 
+  /** Has the workers that have nothing to do give their memory back. */
+  rest() {
+    for (const seat of this.#seats) if (seat.tasks.size === 0) this.#say(seat, { type: "rest" });
+  }
+
   /** @param {Wanted} wanted */
   #seatFor({ heavy, part, parts }) {
     if (parts > 1) return this.#seats[part % this.#seats.length];

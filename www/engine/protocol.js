@@ -17,8 +17,9 @@
  * @typedef {{type: "cancel", ticket: number}} Cancel
  * @typedef {{type: "ping"}} Ping
  * @typedef {{type: "pace", firstPictures: boolean}} Pace  Whether to stop every computation at its first picture.
+ * @typedef {{type: "rest"}} Rest  Give memory back, if there is nothing to compute.
  * @typedef {{type: "fail"}} Fail  Throw an error outside any computation: how tests make a worker die.
- * @typedef {Start | Run | Cancel | Ping | Pace | Fail} ToWorker
+ * @typedef {Start | Run | Cancel | Ping | Pace | Rest | Fail} ToWorker
  */
 
 /**
@@ -60,4 +61,14 @@ export function buffersOf(figure) {
   }
   for (const column of Object.values(figure.motion ?? {})) add(column);
   return [...buffers];
+}
+
+/**
+ * Has a module give its memory back, which only grows.
+ *
+ * @param {import("../../gear-bifurcations.js").Gear} gear
+ * @returns {number} the bytes
+ */
+export function giveBack(gear) {
+  return /** @type {{rest: () => number}} */ (/** @type {unknown} */ (gear)).rest();
 }

@@ -10,7 +10,7 @@
  */
 
 import { GearError, load } from "../../gear-bifurcations.js";
-import { buffersOf } from "./protocol.js";
+import { buffersOf, giveBack } from "./protocol.js";
 
 /** Least time between two partial pictures of one figure, ms: more often nobody sees. */
 const PARTIAL_INTERVAL = 50;
@@ -169,6 +169,9 @@ self.addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }
       break;
     case "ping":
       post({ type: "pong" });
+      break;
+    case "rest":
+      if (jobs.size === 0) void loading?.then(giveBack, () => {});
       break;
     case "fail":
       throw new Error("the worker was asked to fail");
