@@ -43,6 +43,22 @@ test("a lesson asks before it shows, says what is right, and goes on", async ({ 
   await expect(page.locator(".verdict")).toContainText("Not so.");
 });
 
+test("a figure can be taken away once it keeps nothing to itself", async ({ page }) => {
+  await enter(page, "#class&v=1&lesson=tongue");
+  const exporting = page.locator("#class-T").getByRole("button", { name: "Export" });
+  await expect(page.locator("#class-T").getByRole("button", { name: "Reset" })).toBeVisible();
+  await expect(exporting).toHaveCount(0);
+  await page.getByRole("radio", { name: "The vibration dies away." }).check();
+  await page.getByRole("button", { name: "Answer", exact: true }).click();
+  await exporting.click();
+  const menu = page.getByRole("menu");
+  await expect(menu.getByRole("menuitem", { name: /CSV/ })).toBeVisible();
+  const download = page.waitForEvent("download");
+  await menu.getByRole("menuitem", { name: /CSV/ }).click();
+  const path = await (await download).path();
+  expect(await readFile(path, "utf8")).toContain("k0");
+});
+
 test("by keyboard alone, from the list to a number answered", async ({ page }) => {
   await enter(page, "#class&v=1&lesson=tongue&step=2");
   const box = page.getByRole("textbox", { name: /By what factor|by what factor/ });

@@ -123,6 +123,7 @@ export class Player {
       figure.id = `class-${id}`;
       figure.setAttribute("figure", id);
       figure.setAttribute("controls", "none");
+      figure.setAttribute("files", "");
       figure.toggleAttribute("veiled", !open);
       store.share(figure.id, parametersOf(engine, id));
       const heading = element("h3", "", ...elements(inLanguage(engine.figures.get(id)?.title ?? "")).childNodes);

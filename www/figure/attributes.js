@@ -9,7 +9,7 @@ import { judge } from "../controls/number.js";
 
 /** Attributes that are ours but no parameters, and those that every element of HTML has. */
 const OTHERS = new Set(
-  ("figure controls theme fit veiled accesskey autocapitalize autofocus class contenteditable dir draggable enterkeyhint exportparts " +
+  ("figure controls theme fit files veiled accesskey autocapitalize autofocus class contenteditable dir draggable enterkeyhint exportparts " +
     "hidden id inert inputmode is itemid itemprop itemref itemscope itemtype lang nonce part popover role slot spellcheck " +
     "style tabindex title translate").split(" "),
 );

@@ -3,7 +3,7 @@
  * static drawing in its light DOM is shown in the very same place.
  *
  * Attributes: `figure`, parameters by name in any letter case, `controls="full|compact|none"`, `theme`, one of the module's
- * or `auto`; on the page itself `fit`, as large as its place, and `veiled`, without what answers a question. Methods: `data()`, `map()`, `portrait()`, `tell()`, `reset()`, `play()`, `pause()`. Events, bubbling and composed: `gear-ready` when the
+ * or `auto`; on the page itself `fit`, as large as its place, `files`, with a menu to take it away whatever its controls, and `veiled`, without what answers a question. Methods: `data()`, `map()`, `portrait()`, `tell()`, `reset()`, `play()`, `pause()`. Events, bubbling and composed: `gear-ready` when the
  * first complete figure is there, `gear-change` when one with other parameters is, `gear-error` with the error's fields,
  * `gear-pick` when a place of a plane is clicked or Enter pressed on a point, `gear-cursor` when a value is read off an axis;
  * and `gear-paint`, which does not bubble, after every drawing.
@@ -498,10 +498,10 @@ export class GearFigure extends HTMLElement {
     this.#parts.controls.replaceChildren(this.#panel.element);
   }
 
-  /** Whether there is a menu to take the figure away: beside full controls, and in the laboratory. */
+  /** Whether there is a menu to take the figure away: beside full controls, and on the page itself; but not of what has yet to be guessed. */
   get #offersFiles() {
-    const full = (this.getAttribute("controls") ?? "full") === "full" || this.hasAttribute("fit");
-    return full && this.#services?.exports !== undefined;
+    const offered = (this.getAttribute("controls") ?? "full") === "full" || this.hasAttribute("fit") || this.hasAttribute("files");
+    return offered && !this.hasAttribute("veiled") && this.#services?.exports !== undefined;
   }
 
   /** A figure in the language of the page; while it is veiled, without what answers a question. @param {Figure} figure */

@@ -39,10 +39,11 @@ const STYLE = `
 .linked { border-color: var(--accent, #0072b2); opacity: 0.9; }
 .dot { border: 2px solid var(--ink, #1a1a1a); border-radius: 50%; }
 .band { border: 1px solid var(--accent, #0072b2); background: color-mix(in srgb, var(--accent, #0072b2) 12%, transparent); }
-.legend { display: flex; gap: 0.125rem 0.25rem; min-block-size: 2rem; overflow-x: auto; scrollbar-width: thin; margin-inline: -0.4rem; }
+.legend { --rows: 1; --entry: 1.75rem; display: flex; align-content: start; gap: 0.125rem 0.25rem; overflow-x: auto; scrollbar-width: thin; margin-inline: -0.4rem;
+  min-block-size: calc(var(--rows) * (var(--entry) + 0.125rem) + 0.125rem); }
 .legend:empty { visibility: hidden; }
 :host([controls="none"]:not([fit])) .legend { display: none; }
-button.entry { display: inline-flex; flex: none; align-items: center; gap: 0.35rem; font-size: 0.875rem; text-decoration: none; padding: 0 0.4rem; min-block-size: 1.75rem; }
+button.entry { display: inline-flex; flex: none; align-items: center; gap: 0.35rem; font-size: 0.875rem; text-decoration: none; padding: 0 0.4rem; min-block-size: var(--entry); }
 .entry[aria-pressed="false"] { color: var(--quiet, #555); text-decoration: line-through; }
 .entry[aria-pressed="false"] > svg { opacity: 0.35; }
 .swatch { inline-size: 26px; block-size: 14px; flex: none; fill: none; forced-color-adjust: none; }
@@ -101,6 +102,20 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 .rows .number { text-align: end; white-space: nowrap; }
 .rows sub, .rows sup { font-size: 0.72em; line-height: 0; }
 .data p { margin: 0 0 0.5rem; font-size: 0.9375rem; max-inline-size: 42rem; }
+/* Rows of legends, reserved for what is not there yet: five figures have eight to ten entries, and those that stand three abreast little room. On
+   a phone long ones are one row that is pushed along. */
+@container (inline-size < 37rem) {
+  :host(:is([figure="T"], [figure^="11"], [figure^="12"], [figure^="13"])) .legend { --rows: 2; flex-wrap: wrap; }
+}
+@container (inline-size >= 34rem) {
+  .legend { flex-wrap: wrap; }
+  :host(:is([figure="6"], [figure="7"], [figure="8"])) .legend { --rows: 2; }
+  :host(:is([figure="3"], [figure="5"], [figure="9"], [figure="10"], [figure="B"])) .legend { --rows: 3; }
+}
+@container (inline-size >= 45rem) {
+  :host(:is([figure="6"], [figure="7"], [figure="8"])) .legend { --rows: 1; }
+  :host(:is([figure="3"], [figure="5"], [figure="9"], [figure="10"], [figure="B"])) .legend { --rows: 2; }
+}
 @container (inline-size < 30rem) {
   .stage { aspect-ratio: var(--narrow-aspect, var(--aspect, 1.7)); }
 }
@@ -119,7 +134,7 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 }
 @media (pointer: coarse) {
   button, button.entry, input[role="spinbutton"], select { min-block-size: 2.75rem; min-inline-size: 2.75rem; }
-  .legend { min-block-size: 3rem; }
+  .legend { --entry: 2.75rem; }
   input[type="range"] { min-block-size: 2.75rem; }
   .panel-place { --control: 6rem; --summary: 2.75rem; }
   .control { grid-template-rows: 2.75rem auto; }
@@ -128,7 +143,7 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 :host([fit]) { display: grid !important; grid-template-rows: minmax(0, 1fr) auto; position: relative; }
 :host([fit]) .stage { aspect-ratio: auto; min-block-size: 0; margin-inline: var(--inset-start, 0) var(--inset-end, 0); }
 :host([fit]) :is(.panel-place, .rows) { display: none; }
-:host([fit]) .legend { min-block-size: 0; margin-inline: 0; }
+:host([fit]) .legend { flex-wrap: nowrap; min-block-size: 0; margin-inline: 0; }
 :host([fit][figure="1"]) .legend { display: none; }
 :host([fit][figure="B"]) .legend { flex-wrap: wrap; align-content: start; min-block-size: 3.125rem; }
 :host([fit]) .legend > .entry { min-block-size: 1.5rem; padding-block: 0; font-size: 0.8125rem; }

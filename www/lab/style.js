@@ -26,7 +26,7 @@ export const STYLE = `
 .lab .over { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; pointer-events: none; }
 .lab .over .here { fill: var(--ground); stroke: var(--ink); stroke-width: 2.5; }
 .lab .over .trail { fill: none; stroke: var(--ink); stroke-width: 1.5; stroke-dasharray: 1 3; stroke-linecap: round; }
-.lab .cursor { position: absolute; inset-block: 0; inset-inline-start: 0; inline-size: 0; border-inline-start: 1px solid var(--ink); opacity: 0.75; pointer-events: none; }
+.lab .cursor { position: absolute; inset-block: 1.6rem 0; inset-inline-start: 0; inline-size: 0; border-inline-start: 1px solid var(--ink); opacity: 0.75; pointer-events: none; }
 .lab .knob { position: absolute; inset-block-end: -1rem; inset-inline-start: -0.5px; translate: -50% 0; inline-size: 1.75rem; min-block-size: 1.75rem !important; padding: 0 !important;
   border-radius: 50% !important; background: var(--ground) !important; border: 1.5px solid var(--ink) !important; cursor: ew-resize !important; pointer-events: auto;
   touch-action: none; }
