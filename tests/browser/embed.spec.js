@@ -28,6 +28,49 @@ test("one script brings the element to any page, and it wears its own clothes", 
   expect(await page.locator("#far").evaluate((element) => element.shadowRoot?.querySelector(".panel"))).toBeNull();
 });
 
+test("its first picture comes drawn from a worker, and is what the page would have drawn", async ({ page, host, baseURL }) => {
+  await page.addInitScript(() => {
+    const shown = (/** @type {any} */ (window).shown = /** @type {ImageBitmap[]} */ ([]));
+    const draw = CanvasRenderingContext2D.prototype.drawImage;
+    CanvasRenderingContext2D.prototype.drawImage = function (/** @type {any[]} */ ...all) {
+      if (all[0] instanceof ImageBitmap && this.canvas.getRootNode() instanceof ShadowRoot) shown.push(all[0]);
+      return /** @type {any} */ (draw).apply(this, all);
+    };
+  });
+  await page.goto(host({ body: `${LISTEN}${ELEMENT(baseURL)}<main style="inline-size: 40rem"><gear-figure figure="11a" theme="light" controls="none"></gear-figure></main>` }));
+  await hears(page, "gear-ready");
+  const found = await page.locator("gear-figure").evaluate(async (element) => {
+    const canvas = /** @type {HTMLCanvasElement} */ (element.shadowRoot?.querySelector("canvas"));
+    const { width, height } = canvas;
+    const pixels = () => {
+      const copy = new OffscreenCanvas(width, height);
+      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (copy.getContext("2d"));
+      context.drawImage(canvas, 0, 0);
+      return context.getImageData(0, 0, width, height).data;
+    };
+    const painted = () => new Promise((resolve) => element.addEventListener("gear-paint", () => resolve(undefined), { once: true }));
+    const shown = /** @type {any} */ (window).shown.length;
+    const came = pixels();
+    const worn = [];
+    for (const theme of ["dark", "light"]) {
+      const then = painted();
+      element.setAttribute("theme", theme);
+      await then;
+      worn.push(pixels());
+    }
+    const differing = (/** @type {Uint8ClampedArray} */ other) => {
+      let count = 0;
+      for (let index = 0; index < came.length; index += 4) count += [0, 1, 2].some((part) => Math.abs(came[index + part] - other[index + part]) > 48) ? 1 : 0;
+      return count / (width * height);
+    };
+    return { shown, later: /** @type {any} */ (window).shown.length - shown, dark: differing(worn[0]), light: differing(worn[1]) };
+  });
+  expect(found.shown).toBeGreaterThan(0);
+  expect(found.later).toBe(0);
+  expect(found.dark).toBeGreaterThan(0.5);
+  expect(found.light).toBeLessThan(0.002);
+});
+
 test("where wasm is forbidden the still drawing stands there, with a sentence why", async ({ page, host, baseURL }) => {
   const site = new URL(baseURL ?? "").origin;
   const address = host({

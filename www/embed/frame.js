@@ -47,7 +47,7 @@ addEventListener("message", (event) => {
 function equipOnce() {
   let awake = false;
   EmbeddedFigure.wake = () => {
-    if (!awake) equip(startEngine(), new URL("../../", import.meta.url).href, () => import("./frame-exports.js"));
+    if (!awake) equip(startEngine({ draws: true }), new URL("../../", import.meta.url).href, () => import("./frame-exports.js"));
     awake = true;
   };
 }

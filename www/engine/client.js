@@ -18,6 +18,7 @@
  * @property {number} [priority]  See `PRIORITY` in protocol.js.
  * @property {(figure: Figure) => void} [partial]  What there is so far.
  * @property {() => void} [restarted]  The worker died and the computation begins anew in its successor.
+ * @property {import("./protocol.js").Wanted | null} [picture]  How it will be drawn: where that can be the worker draws it too.
  */
 
 import { GearError, load } from "../../gear-bifurcations.js";
@@ -57,6 +58,8 @@ const REST = Object.freeze({ least: 2, most: 1024 });
 export class Engine {
   #gear;
   #pool;
+  /** Figures that came with their picture, until they are drawn. @type {WeakMap<Figure, {wanted: import("./protocol.js").Wanted, drawn: import("./protocol.js").Drawn}>} */
+  #pictures = new WeakMap();
   /** What was asked before anybody could, and not taken up yet. @type {Early | null} */
   #early;
   /**
@@ -80,12 +83,13 @@ export class Engine {
   /**
    * @param {Gear} gear
    * @param {Pool} pool
-   * @param {Early | null} [early]
+   * @param {{early?: Early | null, draws?: boolean}} [options]
    */
-  constructor(gear, pool, early = null) {
+  constructor(gear, pool, { early = null, draws = false } = {}) {
     this.#gear = gear;
     this.#pool = pool;
     this.#early = early;
+    this.draws = draws;
     this.figures = new Map(gear.figures().map((info) => [info.id, info]));
     const parameters = [...gear.defaults(), ...[...this.figures.values()].flatMap((info) => info.parameters)];
     this.vocabulary = new Map([...parameters.flatMap(shortForm), ...parameters].map((info) => [info.name, info]));
@@ -99,7 +103,7 @@ export class Engine {
    * @param {ComputeOptions} [options]
    * @returns {Promise<Figure>} rejected with a `GearError`, or with the signal's reason
    */
-  compute(id, given, { signal, priority = PRIORITY.shown, partial, restarted } = {}) {
+  compute(id, given, { signal, priority = PRIORITY.shown, partial, restarted, picture: wanted = null } = {}) {
     return new Promise((resolve, reject) => {
       if (signal?.aborted) {
         reject(signal.reason);
@@ -121,18 +125,22 @@ export class Engine {
         const pictures = Array(parts).fill(null);
         const done = Array(parts).fill(false);
         for (let part = 0; part < parts; part += 1) {
-          /** @param {Figure} figure */
-          const picture = (figure) => {
+          /**
+           * @param {Figure} figure
+           * @param {import("./protocol.js").Drawn | null} drawn
+           */
+          const picture = (figure, drawn) => {
+            if (drawn !== null && wanted !== null) this.#pictures.set(figure, { wanted, drawn });
             pictures[part] = figure;
             return parts === 1 ? figure : merged(pictures, done);
           };
           /** @type {import("./pool.js").Answers} */
           const answers = {
-            partial: (figure) => partial?.(picture(figure)),
+            partial: (figure, drawn) => partial?.(picture(figure, drawn)),
             restarted: () => restarted?.(),
-            done: (figure) => {
+            done: (figure, drawn) => {
               done[part] = true;
-              const all = picture(figure);
+              const all = picture(figure, drawn);
               if (!done.every(Boolean)) return;
               over();
               resolve(all);
@@ -143,7 +151,7 @@ export class Engine {
               reject(new GearError(error));
             },
           };
-          tickets.push(early === null ? this.#pool.run({ id, given, heavy, priority, part, parts }, answers) : early.takenUp(answers));
+          tickets.push(early === null ? this.#pool.run({ id, given, heavy, priority, part, parts, picture: parts === 1 ? wanted : null }, answers) : early.takenUp(answers));
         }
       };
       signal?.addEventListener("abort", abandon, { once: true });
@@ -197,9 +205,40 @@ export class Engine {
    * @returns {{frames: FrameMap[], looks: SeriesLook[]}}
    */
   draw(figure, canvas, options) {
+    const ready = this.#shownReady(figure, canvas, options);
+    if (ready !== null) return ready;
     // One that moves has its words made anew for every moment.
     const said = this.words === null || figure.motion === null ? options : { ...options, words: this.words };
     return this.#gear.draw(figure, undefined, canvas, said);
+  }
+
+  /** The density of the picture that a figure came with; null where there is none, or it has been shown. @param {Figure} figure */
+  drawn(figure) {
+    return this.#pictures.get(figure)?.drawn.density ?? null;
+  }
+
+  /**
+   * Shows a picture that came with its figure, if it is of the kind that is wanted now: once, for it is given away.
+   *
+   * @param {Figure} figure
+   * @param {HTMLCanvasElement} canvas
+   * @param {DrawOptions} options
+   */
+  #shownReady(figure, canvas, { theme, density, view }) {
+    const ready = this.#pictures.get(figure);
+    if (ready === undefined) return null;
+    this.#pictures.delete(figure);
+    const { bitmap, frames, looks } = ready.drawn;
+    const asked = { width: bitmap.width, height: bitmap.height, theme: ready.wanted.theme, density: ready.drawn.density, view: ready.wanted.view };
+    const now = { width: canvas.width, height: canvas.height, theme, density, view };
+    const context = JSON.stringify(asked) === JSON.stringify(now) ? canvas.getContext("2d") : null;
+    if (context !== null) {
+      context.globalCompositeOperation = "copy";
+      context.drawImage(bitmap, 0, 0);
+      context.globalCompositeOperation = "source-over";
+    }
+    bitmap.close();
+    return context === null ? null : { frames, looks };
   }
 
   /**
@@ -356,8 +395,8 @@ function askEarly(pool, id) {
   const ticket = pool.run(
     { id, given: {}, heavy: false, priority: PRIORITY.shown, part: 0, parts: 1 },
     {
-      partial: (figure) => say((answers) => answers.partial(figure)),
-      done: (figure) => say((answers) => answers.done(figure)),
+      partial: (figure, drawn) => say((answers) => answers.partial(figure, drawn)),
+      done: (figure, drawn) => say((answers) => answers.done(figure, drawn)),
       failed: (error) => say((answers) => answers.failed(error)),
       restarted: () => say((answers) => answers.restarted()),
     },
@@ -373,17 +412,20 @@ function askEarly(pool, id) {
 /**
  * Starts everything: fetches and compiles the module once, and brings up the workers meanwhile.
  *
- * @param {string | null} [first]  A figure that will be asked for first, with its own parameters: computed as soon as can be.
+ * @param {object} [options]
+ * @param {string | null} [options.first]  A figure that will be asked for first, with its own parameters: computed as soon as can be.
+ * @param {boolean} [options.draws]  Whether workers draw first pictures, which takes more time in all and less of the page's own.
  * @returns {Promise<Engine>} rejected with a `GearError` of code `load`
  */
-export async function startEngine(first = null) {
+export async function startEngine({ first = null, draws = false } = {}) {
   const loading = Promise.resolve(wasm()).then((source) => load(source));
   const pool = new Pool(
     loading.then((gear) => gear.module),
     poolSize(navigator.hardwareConcurrency ?? 2),
+    draws,
   );
   const early = first === null ? null : askEarly(pool, first);
-  const engine = new Engine(await loading, pool, early);
+  const engine = new Engine(await loading, pool, { early, draws });
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) engine.rest();
   });

@@ -18,6 +18,21 @@ export function wasm() {
   return new Response(packed.pipeThrough(new DecompressionStream("gzip")), { headers });
 }
 
+/**
+ * The faces that drawings are lettered with: those of the document's style.
+ *
+ * @returns {import("./protocol.js").Face[]}
+ */
+export function faces() {
+  const rules = [...document.styleSheets].flatMap(({ cssRules }) => [...cssRules]).filter((rule) => rule instanceof CSSFontFaceRule);
+  return rules.flatMap(({ style }) => {
+    const [, source = ""] = /url\("(data:[^"]+)"\)/.exec(style.getPropertyValue("src")) ?? [];
+    const family = style.getPropertyValue("font-family").replaceAll('"', "");
+    if (source === "" || family === "STIX Two Equations") return [];
+    return [{ family, source, style: style.getPropertyValue("font-style") || "normal", weight: style.getPropertyValue("font-weight") || "400" }];
+  });
+}
+
 /** @type {string | null} */
 let address = null;
 

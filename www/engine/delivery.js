@@ -19,6 +19,21 @@ export function wasm() {
   return ahead?.module;
 }
 
+/**
+ * The faces that drawings are lettered with.
+ *
+ * @returns {import("./protocol.js").Face[]}
+ */
+export function faces() {
+  const family = "STIX Two Text";
+  return [
+    { family, source: new URL("../style/fonts/regular.woff2", import.meta.url).href },
+    { family, source: new URL("../style/fonts/italic.woff2", import.meta.url).href, style: "italic" },
+    { family, source: new URL("../style/fonts/bold.woff2", import.meta.url).href, weight: "700" },
+    { family: "STIX Two Math", source: new URL("../style/fonts/signs.woff2", import.meta.url).href },
+  ];
+}
+
 /** @type {string | null} */
 let address = null;
 

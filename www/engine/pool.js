@@ -6,12 +6,13 @@
  *
  * @typedef {import("./protocol.js").ToWorker} ToWorker
  * @typedef {import("./protocol.js").FromWorker} FromWorker
+ * @typedef {import("./protocol.js").Drawn} Drawn
  * @typedef {import("./protocol.js").Figure} Figure
  * @typedef {import("./protocol.js").GearErrorFields} GearErrorFields
  * @typedef {import("./protocol.js").Given} Given
  */
 
-import { newWorker } from "./delivery.js";
+import { faces, newWorker } from "./delivery.js";
 
 /**
  * @typedef {object} Wanted
@@ -19,14 +20,15 @@ import { newWorker } from "./delivery.js";
  * @property {Given} given
  * @property {boolean} heavy
  * @property {number} priority
+ * @property {import("./protocol.js").Wanted | null} [picture]  How it is to be drawn, where the worker is to draw it.
  * @property {number} part  Which part of the figure, from 0; each has a worker of its own, as far as there are enough.
  * @property {number} parts  Of how many.
  */
 
 /**
  * @typedef {object} Answers
- * @property {(figure: Figure) => void} partial
- * @property {(figure: Figure) => void} done
+ * @property {(figure: Figure, drawn: Drawn | null) => void} partial
+ * @property {(figure: Figure, drawn: Drawn | null) => void} done
  * @property {(error: GearErrorFields) => void} failed
  * @property {() => void} restarted  The worker died; the computation begins anew in its successor.
  */
@@ -62,6 +64,7 @@ export class Pool {
   #seats;
   /** @type {Promise<WebAssembly.Module>} */
   #module;
+  #draws;
   /** @type {ReturnType<typeof setInterval> | undefined} */
   #pulse;
   #tickets = 0;
@@ -75,9 +78,11 @@ export class Pool {
   /**
    * @param {Promise<WebAssembly.Module>} module
    * @param {number} size
+   * @param {boolean} draws  Whether workers will be asked for pictures.
    */
-  constructor(module, size) {
+  constructor(module, size, draws) {
     this.#module = module;
+    this.#draws = draws;
     this.#seats = Array.from({ length: size }, () => this.#newSeat());
     for (const seat of this.#seats) this.#open(seat);
   }
@@ -96,7 +101,7 @@ export class Pool {
     const seat = this.#seatFor(wanted);
     if (seat.closed) this.#reopen(seat);
     seat.tasks.set(ticket, { wanted, answers, deaths: 0 });
-    this.#say(seat, { type: "run", ticket, ...wanted });
+    this.#ask(seat, ticket, wanted);
     this.#pulse ??= setInterval(() => this.#check(), PULSE);
     return ticket;
   }
@@ -169,6 +174,8 @@ export class Pool {
     worker.onmessageerror = () => {
       if (seat.worker === worker) this.#replace(seat);
     };
+    // They come while the module is still compiled.
+    if (this.#draws) worker.postMessage({ type: "faces", faces: faces() });
     this.#module.then(
       (module) => {
         if (seat.worker !== worker) return;
@@ -185,6 +192,15 @@ export class Pool {
    */
   #say(seat, message) {
     seat.worker.postMessage(message);
+  }
+
+  /**
+   * @param {Seat} seat
+   * @param {number} ticket
+   * @param {Wanted} wanted
+   */
+  #ask(seat, ticket, { id, given, priority, part, parts, picture = null }) {
+    this.#say(seat, { type: "run", ticket, id, given, priority, part, parts, picture });
   }
 
   /**
@@ -208,11 +224,11 @@ export class Pool {
       return;
     }
     if (message.type === "partial") {
-      task.answers.partial(message.figure);
+      task.answers.partial(message.figure, message.drawn);
       return;
     }
     seat.tasks.delete(message.ticket);
-    if (message.type === "done") task.answers.done(message.figure);
+    if (message.type === "done") task.answers.done(message.figure, message.drawn);
     else task.answers.failed(message.error);
   }
 
@@ -253,7 +269,7 @@ export class Pool {
     }
     this.#reopen(seat);
     for (const [ticket, task] of seat.tasks) {
-      this.#say(seat, { type: "run", ticket, ...task.wanted });
+      this.#ask(seat, ticket, task.wanted);
       task.answers.restarted();
     }
   }

@@ -7,27 +7,33 @@
  * @typedef {import("../../gear-bifurcations.js").Figure} Figure
  * @typedef {import("../../gear-bifurcations.js").GearErrorFields} GearErrorFields
  * @typedef {Record<string, number | string>} Given
+ * @typedef {{family: string, source: string, style?: string, weight?: string, unicodeRange?: string}} Face  The source is an absolute address.
+ * @typedef {Pick<Required<import("../../gear-bifurcations.js").DrawOptions>, "theme" | "density" | "view"> & {width: number, height: number, coarse: number}} Wanted
+ *   How a picture is to be drawn, over so many CSS pixels; with the coarse density as long as first pictures are all that counts.
+ * @typedef {{bitmap: ImageBitmap, density: number, frames: import("../../gear-bifurcations.js").FrameMap[], looks: import("../../gear-bifurcations.js").SeriesLook[]}} Drawn
  */
 
 /**
  * From the page to a worker.
  *
  * @typedef {{type: "start", module: WebAssembly.Module}} Start
- * @typedef {{type: "run", ticket: number, id: string, given: Given, heavy: boolean, priority: number, part: number, parts: number}} Run
+ * @typedef {{type: "faces", faces: readonly Face[]}} Faces  Of the drawings' typeface.
+ * @typedef {{type: "run", ticket: number, id: string, given: Given, priority: number, part: number, parts: number, picture: Wanted | null}} Run
+ *   With a picture, its first part and its end come drawn.
  * @typedef {{type: "cancel", ticket: number}} Cancel
  * @typedef {{type: "ping"}} Ping
  * @typedef {{type: "pace", firstPictures: boolean}} Pace  Whether to stop every computation at its first picture.
  * @typedef {{type: "rest"}} Rest  Give memory back, if there is nothing to compute.
  * @typedef {{type: "fail"}} Fail  Throw an error outside any computation: how tests make a worker die.
- * @typedef {Start | Run | Cancel | Ping | Pace | Rest | Fail} ToWorker
+ * @typedef {Start | Faces | Run | Cancel | Ping | Pace | Rest | Fail} ToWorker
  */
 
 /**
  * From a worker to the page. No answer at all follows a `cancel`.
  *
  * @typedef {{type: "ready"}} Ready
- * @typedef {{type: "partial", ticket: number, figure: Figure}} Partial
- * @typedef {{type: "done", ticket: number, figure: Figure}} Done
+ * @typedef {{type: "partial", ticket: number, figure: Figure, drawn: Drawn | null}} Partial
+ * @typedef {{type: "done", ticket: number, figure: Figure, drawn: Drawn | null}} Done
  * @typedef {{type: "failed", ticket: number, error: GearErrorFields}} Failed
  * @typedef {{type: "pong"}} Pong
  * @typedef {{type: "step", ticket: number}} Step  It turns to this computation: if it dies now, this one is to blame.

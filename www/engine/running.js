@@ -8,8 +8,8 @@ import { GearError, PRIORITY, startEngine } from "./client.js";
 export { GearError, PRIORITY };
 
 /** What the page opens with, for its figures may still be on their way; an address may say otherwise. */
-const first = location.hash === "" ? document.documentElement.dataset.firstFigure : undefined;
+const { firstFigure = null } = document.documentElement.dataset;
 
-export const engine = startEngine(first ?? null);
+export const engine = startEngine({ first: location.hash === "" ? firstFigure : null });
 // Each figure says itself what failed.
 engine.catch(() => {});

@@ -10,10 +10,17 @@
  */
 
 import { GearError, load } from "../../gear-bifurcations.js";
+import { drawn, loadFaces } from "./drawing.js";
 import { buffersOf, giveBack } from "./protocol.js";
 
 /** Least time between two partial pictures of one figure, ms: more often nobody sees. */
 const PARTIAL_INTERVAL = 50;
+/** So long may a computation take to be complete before what there is of it is shown, ms: half a step. */
+const MOMENT = 8;
+/** The same for what is drawn here too, ms: two drawings would take longer than that. */
+const LONG_MOMENT = 40;
+/** So long a first picture waits for the faces of the drawings, ms. */
+const LATE = 150;
 /** A computation that has taken so many steps lets those go first that have not: they have their answers soon. */
 const TURN = 4;
 
@@ -21,6 +28,8 @@ const TURN = 4;
 const jobs = new Map();
 /** @type {Promise<Gear> | null} */
 let loading = null;
+/** Over when the drawings' faces are there, or will not come. */
+let lettering = Promise.resolve();
 let working = false;
 /** The computation that the page was told of last. */
 let told = 0;
@@ -31,6 +40,11 @@ const breath = new MessageChannel();
 /** @type {(() => void) | null} */
 let breathed = null;
 breath.port1.onmessage = () => breathed?.();
+
+/** For faces that are late, the page draws in the worker's stead. */
+function patience() {
+  return new Promise((/** @type {(value?: void) => void} */ resolve) => setTimeout(resolve, LATE));
+}
 
 /** Lets messages that have arrived be handled before the next step. */
 function breathe() {
@@ -81,20 +95,25 @@ function comesBefore(one, other) {
  * @param {Job} job
  */
 function step(gear, job) {
-  const { ticket, id, given, part, parts } = job.run;
+  const { ticket, id, given, part, parts, picture } = job.run;
   if (told !== ticket) {
     told = ticket;
     post({ type: "step", ticket });
   }
   try {
+    const begin = performance.now();
+    const first = job.steps === null;
     job.steps ??= gear.progress(id, given, { part, parts });
     job.taken += 1;
-    const { value } = job.steps.next();
+    let { value } = job.steps.next();
+    // What is complete in a moment is drawn once, and not first in part.
+    while (first && value?.done === false && performance.now() - begin < (picture === null ? MOMENT : LONG_MOMENT)) ({ value } = job.steps.next());
     if (value === undefined || value.done) {
-      finish(job, value === undefined ? gear.figure(id, given) : value.figure);
+      jobs.delete(ticket);
+      show(gear, job, "done", value === undefined ? gear.figure(id, given) : value.figure);
     } else if (performance.now() - job.posted >= PARTIAL_INTERVAL) {
+      show(gear, job, "partial", value.figure);
       job.posted = performance.now();
-      post({ type: "partial", ticket, figure: value.figure }, buffersOf(value.figure));
     }
   } catch (thrown) {
     jobs.delete(ticket);
@@ -103,12 +122,17 @@ function step(gear, job) {
 }
 
 /**
+ * @param {Gear} gear
  * @param {Job} job
+ * @param {"partial" | "done"} type
  * @param {import("./protocol.js").Figure} figure
  */
-function finish(job, figure) {
-  jobs.delete(job.run.ticket);
-  post({ type: "done", ticket: job.run.ticket, figure }, buffersOf(figure));
+function show(gear, job, type, figure) {
+  const { ticket, picture } = job.run;
+  // What changes from one step to the next the page draws as often as it likes.
+  const first = job.posted === -Infinity;
+  const made = picture !== null && (first || type === "done") ? drawn(gear, figure, picture, firstPictures) : null;
+  post({ type, ticket, figure, drawn: made }, made === null ? buffersOf(figure) : [...buffersOf(figure), made.bitmap]);
 }
 
 /**
@@ -127,7 +151,9 @@ async function work() {
   try {
     const gear = await loading;
     for (let job = next(); job !== null; job = next()) {
-      step(gear, job);
+      if (job.steps === null && job.run.picture !== null) await Promise.race([lettering, patience()]);
+      // It may have been cancelled meanwhile.
+      if (jobs.has(job.run.ticket)) step(gear, job);
       await breathe();
     }
   } catch (thrown) {
@@ -155,6 +181,9 @@ self.addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }
         () => {},
       );
       void work();
+      break;
+    case "faces":
+      lettering = loadFaces(data.faces);
       break;
     case "run":
       jobs.set(data.ticket, { run: data, steps: null, taken: 0, posted: -Infinity });

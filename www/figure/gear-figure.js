@@ -285,6 +285,19 @@ export class GearFigure extends HTMLElement {
     this.#showPlaying();
   }
 
+  /**
+   * How it will be drawn when its first answer comes, as far as that can be known before: then the worker draws it too. Null for what is
+   * asked later, while somebody turns, drags or reads.
+   */
+  #pictureAhead() {
+    const { windows, hidden } = this.#shown;
+    if (this.#services?.engine.draws !== true || this.#questions > 1 || this.#info?.animated !== false || this.hasAttribute("veiled") || hidden.length > 0 || Object.keys(windows).length > 0) return null;
+    const { clientWidth: width, clientHeight: height } = this.#parts.stage;
+    if (width < NARROWEST) return null;
+    const view = { ...this.#turning?.direction, windows: {}, hidden: [], decimal: decimalSign() };
+    return { width, height, theme: this.#theme, density: density(), coarse: this.inSight ? density() : coarseDensity(), view };
+  }
+
   /** Draws now what is known now. */
   paint() {
     const { stage, canvas } = this.#parts;
@@ -293,8 +306,8 @@ export class GearFigure extends HTMLElement {
     const view = this.#viewOf(this.#figure);
     this.#hidden = new Set(view.hidden);
     // While the page opens, what is out of sight need not be fine yet: that makes room for what is seen.
-    this.#coarse = !this.#settled && !this.inSight && density() > coarseDensity();
-    const pixels = this.#coarse ? coarseDensity() : density();
+    const pixels = this.#services.engine.drawn(this.#figure) ?? (this.#settled || this.inSight ? density() : coarseDensity());
+    this.#coarse = pixels < density();
     fitStore(canvas, stage, pixels);
     try {
       const { frames, looks } = this.#services.engine.draw(this.#ahead ?? this.#figure, canvas, { theme: this.#theme, density: pixels, view: { ...view, decimal: decimalSign() } });
@@ -313,7 +326,8 @@ export class GearFigure extends HTMLElement {
     this.#services.later(() => {
       this.#buildPanel();
       this.#settled = true;
-      if (this.#coarse) this.#repaint();
+      // What is still computed comes drawn anew.
+      if (this.#coarse && this.#computation?.busy !== true) this.#repaint();
     });
   }
 
@@ -398,6 +412,7 @@ export class GearFigure extends HTMLElement {
           partial,
           priority: this.inSight ? priority.shown : priority.hidden,
           restarted: () => this.#say(say("figure.replaced")),
+          picture: this.#pictureAhead(),
         }),
       // The first picture of all figures is the workers': here they would come one after another.
       now: (given) => (this.#here && this.inSight ? engine.glance(id, given) : null),
