@@ -132,9 +132,9 @@ export class Pool {
     for (const seat of this.#seats) this.#say(seat, { type: "pace", firstPictures: false });
   }
 
-  /** Has the workers that have nothing to do give their memory back. */
+  /** Has workers give their memory back once they have nothing to do. */
   rest() {
-    for (const seat of this.#seats) if (seat.tasks.size === 0) this.#say(seat, { type: "rest" });
+    for (const seat of this.#seats) this.#say(seat, { type: "rest" });
   }
 
   /** @param {Wanted} wanted */

@@ -23,7 +23,7 @@
  * @typedef {{type: "cancel", ticket: number}} Cancel
  * @typedef {{type: "ping"}} Ping
  * @typedef {{type: "pace", firstPictures: boolean}} Pace  Whether to stop every computation at its first picture.
- * @typedef {{type: "rest"}} Rest  Give memory back, if there is nothing to compute.
+ * @typedef {{type: "rest"}} Rest  Give memory back, once there is nothing to compute.
  * @typedef {{type: "fail"}} Fail  Throw an error outside any computation: how tests make a worker die.
  * @typedef {Start | Faces | Run | Cancel | Ping | Pace | Rest | Fail} ToWorker
  */

@@ -33,6 +33,8 @@ let lettering = Promise.resolve();
 let working = false;
 /** The computation that the page was told of last. */
 let told = 0;
+/** Nobody looks at the page: when nothing is left to compute, memory is given back. */
+let resting = false;
 /** The page is opening: a first picture of everything counts more than any picture completed. */
 let firstPictures = false;
 
@@ -156,6 +158,7 @@ async function work() {
       if (jobs.has(job.run.ticket)) step(gear, job);
       await breathe();
     }
+    if (resting) giveBack(gear);
   } catch (thrown) {
     // The module itself could not be started: every computation has the same answer.
     for (const ticket of jobs.keys()) post({ type: "failed", ticket, error: fieldsOf(thrown) });
@@ -186,6 +189,7 @@ self.addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }
       lettering = loadFaces(data.faces);
       break;
     case "run":
+      resting = false;
       jobs.set(data.ticket, { run: data, steps: null, taken: 0, posted: -Infinity });
       void work();
       break;
@@ -200,7 +204,8 @@ self.addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }
       post({ type: "pong" });
       break;
     case "rest":
-      if (jobs.size === 0) void loading?.then(giveBack, () => {});
+      resting = true;
+      void work();
       break;
     case "fail":
       throw new Error("the worker was asked to fail");

@@ -1,0 +1,4 @@
+// The journey in Chromium.
+
+process.env.ENGINE = "chromium";
+await import("./journey.mjs");

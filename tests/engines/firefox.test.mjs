@@ -1,0 +1,4 @@
+// The journey in Firefox.
+
+process.env.ENGINE = "firefox";
+await import("./journey.mjs");

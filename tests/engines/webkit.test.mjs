@@ -1,0 +1,4 @@
+// The journey in WebKit.
+
+process.env.ENGINE = "webkit";
+await import("./journey.mjs");
