@@ -254,3 +254,21 @@ test("in a frame that may save nothing, the file's content is there to be kept b
   expect(await page.locator("body > textarea").inputValue()).toBe(`${baseURL}#story&v=1&at=fig-2&2.k0=0.4`);
   await page.close();
 });
+
+test("an open menu goes when the page goes elsewhere, and never two are open", async ({ page }) => {
+  await page.goto("./?test#lab&v=1");
+  await page.locator("#lab-T canvas").waitFor();
+  await page.evaluate(() => void (location.hash = "#lab&v=1&Omega=1.7"));
+  const menu = page.getByRole("menu");
+  const opening = (/** @type {string} */ id) => page.locator(`#lab-${id}`).evaluate((figure) => /** @type {HTMLElement | null | undefined} */ (figure.shadowRoot?.querySelector("button.take"))?.click());
+  await opening("T");
+  await expect(menu).toHaveCount(1);
+  await opening("U");
+  await expect(page.locator("#lab-U").getByRole("menu")).toBeVisible();
+  await expect(menu).toHaveCount(1);
+  await page.goBack();
+  await expect(menu).toHaveCount(0);
+  // Nothing lies over the page any more.
+  await page.getByRole("link", { name: "Story" }).click();
+  await expect(page.getByRole("heading", { level: 1 }).first()).toBeVisible();
+});

@@ -17,6 +17,8 @@
 /** The heap of one thread counts as come to rest when two collections running change it by less than this, bytes. */
 const STILL = 20_000;
 const TRIES = 12;
+/** A worker that has not answered after this time will not, ms. */
+const PATIENCE = 30_000;
 
 /** Ways to speak with the page and each of its workers. @param {Page} page @returns {Promise<Send[]>} */
 export async function threads(page) {
@@ -40,7 +42,10 @@ export async function threads(page) {
     toPage,
     ...workers.map((sessionId) => async (/** @type {string} */ method, /** @type {object} */ params = {}) => {
       const id = (number += 1);
-      const answered = new Promise((resolve) => waiting.set(`${sessionId} ${id}`, resolve));
+      const answered = new Promise((resolve, reject) => {
+        waiting.set(`${sessionId} ${id}`, resolve);
+        setTimeout(() => reject(new Error(`a worker does not answer to ${method}`)), PATIENCE);
+      });
       await toPage("Target.sendMessageToTarget", { sessionId, message: JSON.stringify({ id, method, params }) });
       const { result, error } = /** @type {any} */ (await answered);
       if (error) throw new Error(`${method}: ${error.message}`);

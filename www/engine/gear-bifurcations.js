@@ -291,8 +291,11 @@ function createGear(module) {
     rest: {
       value: () => {
         if (bindings === null || running > 0) return 0;
+        const given = bytes();
+        // Nothing may hold it any more.
         bindings = null;
-        return bytes();
+        bytes = () => 0;
+        return given;
       },
     },
   });

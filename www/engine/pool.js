@@ -91,6 +91,11 @@ export class Pool {
     return this.#seats.length;
   }
 
+  /** Whether anything is computed. */
+  get busy() {
+    return this.#seats.some(({ tasks }) => tasks.size > 0);
+  }
+
   /**
    * @param {Wanted} wanted
    * @param {Answers} answers

@@ -25,8 +25,11 @@ dialog.export.content::backdrop { background: #000; opacity: 0.4; }
 @media print { dialog.export { display: none; } }
 `;
 
+/** The one that is open: there is never another. @type {HTMLDialogElement | null} */
+let open = null;
+
 /**
- * A dialog in a figure, closed by Escape and by a click beside it.
+ * A dialog in a figure, closed by Escape and by a click beside it, and when the page goes elsewhere: in a view that is not shown nobody could close it.
  *
  * @param {ShadowRoot} root
  * @param {string} label
@@ -34,10 +37,18 @@ dialog.export.content::backdrop { background: #000; opacity: 0.4; }
  */
 function dialogIn(root, label) {
   adopt(STYLE, root);
+  open?.close();
   const dialog = document.createElement("dialog");
+  open = dialog;
   dialog.className = "export";
   dialog.setAttribute("aria-label", label);
-  dialog.addEventListener("close", () => dialog.remove());
+  const life = new AbortController();
+  addEventListener("popstate", () => dialog.close(), { signal: life.signal });
+  dialog.addEventListener("close", () => {
+    life.abort();
+    dialog.remove();
+    if (open === dialog) open = null;
+  });
   dialog.addEventListener("pointerdown", (event) => {
     const { left, right, top, bottom } = dialog.getBoundingClientRect();
     const inside = event.clientX >= left && event.clientX <= right && event.clientY >= top && event.clientY <= bottom;
