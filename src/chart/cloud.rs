@@ -44,7 +44,7 @@ pub fn coverage(
         let (fine_x, fine_y) = (eighths(x), eighths(y));
         let place = (fine_y.rem_euclid(PLACES) * PLACES + fine_x.rem_euclid(PLACES)) as usize;
         let [column, row] = [fine_x, fine_y].map(|fine| fine.div_euclid(PLACES) - reach as i32);
-        let last = row + side as i32 - 1;
+        let last = row.saturating_add_unsigned(side as u32 - 1);
         if last < 0 {
             continue;
         }
@@ -69,7 +69,8 @@ fn painted(
     width: usize,
 ) -> Option<Coverage> {
     let left = discs.iter().map(|disc| disc.column).min()?.max(0) as usize;
-    let right = discs.iter().map(|disc| disc.column + side as i32).max()?.max(0) as usize;
+    let right =
+        discs.iter().map(|disc| disc.column.saturating_add_unsigned(side as u32)).max()?.max(0) as usize;
     let columns = right.min(width).checked_sub(left).filter(|&columns| columns > 0)?;
     let mut image = vec![1.0_f32; columns * rows];
     for disc in discs {
