@@ -145,8 +145,8 @@ pub fn soak(options: &Options) -> Result<(), Failure> {
     run(playwright.env("CHROMIUM", chromium).env("GEAR_ADDRESS", address).env("SOAK_MINUTES", minutes))
 }
 
-/// The journey of `tests/engines` in every engine, or in the one that is asked for by its name: side by side, for each of them waits
-/// half of its time.
+/// The journey of `tests/engines` in every engine, or in the one that is asked for by its name; one after the other, for side by side
+/// two cores take them no sooner.
 fn journeys(only: Option<&str>, count: &mut Count) -> Result<(), Failure> {
     type Engine = (&'static str, &'static str, fn() -> Result<PathBuf, Failure>);
     let all: [Engine; 3] = [
@@ -154,7 +154,7 @@ fn journeys(only: Option<&str>, count: &mut Count) -> Result<(), Failure> {
         ("Firefox", "FIREFOX", tools::ensure_firefox),
         ("WebKit", "WEBKIT_DRIVER", tools::ensure_webkit),
     ];
-    let mut node = program("node", &["--test", "--test-reporter=spec", "--test-concurrency=2"]);
+    let mut node = program("node", &["--test", "--test-reporter=spec", "--test-concurrency=1"]);
     let named = all.iter().any(|(name, ..)| only == Some(name));
     for (name, variable, ensure) in all.iter().filter(|(name, ..)| !named || only == Some(name)) {
         node.env(variable, ensure()?).arg(format!("tests/engines/{}.test.mjs", name.to_lowercase()));
