@@ -9,22 +9,18 @@
  */
 
 import { startEngine } from "../engine/client.js";
+import { faces } from "../engine/delivery.js";
 import { EmbeddedFigure } from "./embedded-figure.js";
 import { equip } from "./equip.js";
 
+/** What a host shows of ours is set in this; signs that it lacks a host takes from elsewhere. */
 const FAMILY = "STIX Two Text";
-/** @type {[string, string, FontFaceDescriptors][]} */
-const FACES = [
-  [FAMILY, "regular", {}],
-  [FAMILY, "italic", { style: "italic" }],
-  [FAMILY, "bold", { weight: "700" }],
-];
 
 /** The drawings' own typeface; a page that forbids it, or is slow to get it, sees them in another. */
 function loadFaces() {
-  for (const [family, file, descriptors] of FACES) {
-    const address = new URL(`../style/fonts/${file}.woff2`, import.meta.url);
-    const face = new FontFace(family, `url(${JSON.stringify(address.href)})`, { display: "swap", ...descriptors });
+  for (const { family, source, ...descriptors } of faces()) {
+    if (family !== FAMILY) continue;
+    const face = new FontFace(family, `url(${JSON.stringify(source)})`, { display: "swap", ...descriptors });
     document.fonts.add(face);
     face.load().catch(() => document.fonts.delete(face));
   }

@@ -212,9 +212,9 @@ export class Engine {
     return this.#gear.draw(figure, undefined, canvas, said);
   }
 
-  /** The density of the picture that a figure came with; null where there is none, or it has been shown. @param {Figure} figure */
+  /** Whether a figure came with its picture, which has not been shown yet. @param {Figure} figure */
   drawn(figure) {
-    return this.#pictures.get(figure)?.drawn.density ?? null;
+    return this.#pictures.has(figure);
   }
 
   /**
@@ -229,9 +229,9 @@ export class Engine {
     if (ready === undefined) return null;
     this.#pictures.delete(figure);
     const { bitmap, frames, looks } = ready.drawn;
-    const asked = { width: bitmap.width, height: bitmap.height, theme: ready.wanted.theme, density: ready.drawn.density, view: ready.wanted.view };
-    const now = { width: canvas.width, height: canvas.height, theme, density, view };
-    const context = JSON.stringify(asked) === JSON.stringify(now) ? canvas.getContext("2d") : null;
+    const { width, height } = canvas;
+    const now = { width, height, theme, density, view };
+    const context = JSON.stringify(ready.wanted) === JSON.stringify(now) ? canvas.getContext("2d") : null;
     if (context !== null) {
       context.globalCompositeOperation = "copy";
       context.drawImage(bitmap, 0, 0);

@@ -48,18 +48,16 @@ async function lettersOf(address) {
  * @param {Gear} gear
  * @param {Figure} figure
  * @param {Wanted} wanted
- * @param {boolean} coarsely
  * @returns {Drawn | null}
  */
-export function drawn(gear, figure, { width, height, theme, view, ...densities }, coarsely) {
+export function drawn(gear, figure, { width, height, ...options }) {
   // What moves is drawn for its moment.
   if (!lettered || figure.motion !== null) return null;
-  const density = coarsely ? densities.coarse : densities.density;
   try {
-    const canvas = new OffscreenCanvas(Math.round(width * density), Math.round(height * density));
+    const canvas = new OffscreenCanvas(width, height);
     const onto = /** @type {HTMLCanvasElement} */ (/** @type {unknown} */ (canvas));
-    const { frames, looks } = gear.draw(figure, undefined, onto, { theme, density, view });
-    return { bitmap: canvas.transferToImageBitmap(), density, frames, looks };
+    const { frames, looks } = gear.draw(figure, undefined, onto, options);
+    return { bitmap: canvas.transferToImageBitmap(), frames, looks };
   } catch {
     // The page will say what is the matter.
     return null;

@@ -8,9 +8,9 @@
  * @typedef {import("../../gear-bifurcations.js").GearErrorFields} GearErrorFields
  * @typedef {Record<string, number | string>} Given
  * @typedef {{family: string, source: string, style?: string, weight?: string, unicodeRange?: string}} Face  The source is an absolute address.
- * @typedef {Pick<Required<import("../../gear-bifurcations.js").DrawOptions>, "theme" | "density" | "view"> & {width: number, height: number, coarse: number}} Wanted
- *   How a picture is to be drawn, over so many CSS pixels; with the coarse density as long as first pictures are all that counts.
- * @typedef {{bitmap: ImageBitmap, density: number, frames: import("../../gear-bifurcations.js").FrameMap[], looks: import("../../gear-bifurcations.js").SeriesLook[]}} Drawn
+ * @typedef {Pick<Required<import("../../gear-bifurcations.js").DrawOptions>, "theme" | "density" | "view"> & {width: number, height: number}} Wanted
+ *   How a picture is to be drawn, on a backing store of so many pixels.
+ * @typedef {{bitmap: ImageBitmap, frames: import("../../gear-bifurcations.js").FrameMap[], looks: import("../../gear-bifurcations.js").SeriesLook[]}} Drawn
  */
 
 /**

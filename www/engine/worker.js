@@ -133,7 +133,7 @@ function show(gear, job, type, figure) {
   const { ticket, picture } = job.run;
   // What changes from one step to the next the page draws as often as it likes.
   const first = job.posted === -Infinity;
-  const made = picture !== null && (first || type === "done") ? drawn(gear, figure, picture, firstPictures) : null;
+  const made = picture !== null && (first || type === "done") ? drawn(gear, figure, picture) : null;
   post({ type, ticket, figure, drawn: made }, made === null ? buffersOf(figure) : [...buffersOf(figure), made.bitmap]);
 }
 

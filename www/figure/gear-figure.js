@@ -292,10 +292,11 @@ export class GearFigure extends HTMLElement {
   #pictureAhead() {
     const { windows, hidden } = this.#shown;
     if (this.#services?.engine.draws !== true || this.#questions > 1 || this.#info?.animated !== false || this.hasAttribute("veiled") || hidden.length > 0 || Object.keys(windows).length > 0) return null;
-    const { clientWidth: width, clientHeight: height } = this.#parts.stage;
-    if (width < NARROWEST) return null;
+    const { stage } = this.#parts;
+    if (stage.clientWidth < NARROWEST) return null;
+    const pixels = density();
     const view = { ...this.#turning?.direction, windows: {}, hidden: [], decimal: decimalSign() };
-    return { width, height, theme: this.#theme, density: density(), coarse: this.inSight ? density() : coarseDensity(), view };
+    return { ...storeOf(stage, pixels), theme: this.#theme, density: pixels, view };
   }
 
   /** Draws now what is known now. */
@@ -306,7 +307,7 @@ export class GearFigure extends HTMLElement {
     const view = this.#viewOf(this.#figure);
     this.#hidden = new Set(view.hidden);
     // While the page opens, what is out of sight need not be fine yet: that makes room for what is seen.
-    const pixels = this.#services.engine.drawn(this.#figure) ?? (this.#settled || this.inSight ? density() : coarseDensity());
+    const pixels = this.#settled || this.inSight || this.#services.engine.drawn(this.#figure) ? density() : coarseDensity();
     this.#coarse = pixels < density();
     fitStore(canvas, stage, pixels);
     try {
@@ -326,8 +327,7 @@ export class GearFigure extends HTMLElement {
     this.#services.later(() => {
       this.#buildPanel();
       this.#settled = true;
-      // What is still computed comes drawn anew.
-      if (this.#coarse && this.#computation?.busy !== true) this.#repaint();
+      if (this.#coarse) this.#repaint();
     });
   }
 
@@ -764,15 +764,24 @@ export class GearFigure extends HTMLElement {
 }
 
 /**
- * As many pixels as the place has at this density. Setting the size clears a canvas, so it is set only when it changes.
+ * As many pixels as the place has at a density.
+ *
+ * @param {HTMLElement} stage
+ * @param {number} pixels  A CSS pixel.
+ */
+function storeOf(stage, pixels) {
+  return { width: Math.round(stage.clientWidth * pixels), height: Math.round(stage.clientHeight * pixels) };
+}
+
+/**
+ * Setting the size clears a canvas, so it is set only when it changes.
  *
  * @param {HTMLCanvasElement} canvas
  * @param {HTMLElement} stage
  * @param {number} pixels  A CSS pixel.
  */
 function fitStore(canvas, stage, pixels) {
-  const width = Math.round(stage.clientWidth * pixels);
-  const height = Math.round(stage.clientHeight * pixels);
+  const { width, height } = storeOf(stage, pixels);
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
 }

@@ -20,8 +20,8 @@
  * @property {number} priority
  * @property {(figure: Figure) => void} partial
  * @property {() => void} restarted
- * @property {(Required<Pick<DrawOptions, "theme" | "density" | "view">> & {width: number, height: number, coarse: number}) | null} picture  How it will be
- *   drawn first, over so many CSS pixels: then it may come drawn, coarsely while the page opens; null where that is not known.
+ * @property {(Required<Pick<DrawOptions, "theme" | "density" | "view">> & {width: number, height: number}) | null} picture  How it will be drawn
+ *   first, on a backing store of so many pixels: then it may come drawn; null where that is not known.
  */
 
 /**
@@ -35,7 +35,7 @@
  * @property {(id: string, given: Given) => {figure: Figure, done: boolean} | null} glance  What comes of it here in a moment; null for nothing.
  * @property {(id: string, given: Given, time: number) => {figure: Figure, done: boolean} | null} within  What can be computed here in so many ms.
  * @property {boolean} draws  Whether figures can come with their first picture.
- * @property {(figure: Figure) => number | null} drawn  The density of the picture it came with, if that has not been shown yet.
+ * @property {(figure: Figure) => boolean} drawn  Whether it came with its picture, which has not been shown yet.
  * @property {(figure: Figure, canvas: HTMLCanvasElement, options: DrawOptions) => {frames: FrameMap[], looks: SeriesLook[]}} draw
  */
 

@@ -7,7 +7,7 @@ use crate::serve::{Prefix, Server};
 use crate::{Failure, build, place, supply, tools};
 use count::Count;
 use std::io::{BufRead, BufReader};
-use std::path::PathBuf;
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
@@ -63,9 +63,14 @@ fn steps(check: &mut Run, quick: bool) -> Result<(), Failure> {
     })?;
     if !quick {
         check.step("tests in Chromium", browser)?;
-        let wanted = check.only.clone();
-        check.step("the whole journey in Chromium, Firefox and WebKit", |count| {
-            journeys(wanted.as_deref(), count)
+        check.step("the whole journey in Chromium", |count| {
+            journey("chromium", "CHROMIUM", &tools::ensure_chromium()?, count)
+        })?;
+        check.step("the whole journey in Firefox", |count| {
+            journey("firefox", "FIREFOX", &tools::ensure_firefox()?, count)
+        })?;
+        check.step("the whole journey in WebKit", |count| {
+            journey("webkit", "WEBKIT_DRIVER", &tools::ensure_webkit()?, count)
         })?;
     }
     Ok(())
@@ -145,19 +150,8 @@ pub fn soak(options: &Options) -> Result<(), Failure> {
     run(playwright.env("CHROMIUM", chromium).env("GEAR_ADDRESS", address).env("SOAK_MINUTES", minutes))
 }
 
-/// The journey of `tests/engines` in every engine, or in the one that is asked for by its name; one after the other, for side by side
-/// two cores take them no sooner.
-fn journeys(only: Option<&str>, count: &mut Count) -> Result<(), Failure> {
-    type Engine = (&'static str, &'static str, fn() -> Result<PathBuf, Failure>);
-    let all: [Engine; 3] = [
-        ("Chromium", "CHROMIUM", tools::ensure_chromium),
-        ("Firefox", "FIREFOX", tools::ensure_firefox),
-        ("WebKit", "WEBKIT_DRIVER", tools::ensure_webkit),
-    ];
-    let mut node = program("node", &["--test", "--test-reporter=spec", "--test-concurrency=1"]);
-    let named = all.iter().any(|(name, ..)| only == Some(name));
-    for (name, variable, ensure) in all.iter().filter(|(name, ..)| !named || only == Some(name)) {
-        node.env(variable, ensure()?).arg(format!("tests/engines/{}.test.mjs", name.to_lowercase()));
-    }
-    counted(&mut node, count::node, count)
+/// The journey of `tests/engines` in one engine, whose program is named by a variable.
+fn journey(engine: &str, variable: &str, program_path: &Path, count: &mut Count) -> Result<(), Failure> {
+    let mut node = program("node", &["--test", "--test-reporter=spec", "tests/engines/journey.test.mjs"]);
+    counted(node.env("ENGINE", engine).env(variable, program_path), count::node, count)
 }

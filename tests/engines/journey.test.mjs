@@ -1,4 +1,4 @@
-// The whole journey of a reader, in the engine that the variable ENGINE names, as `chromium.test.mjs` and its neighbours do. Each test goes on
+// The whole journey of a reader, in the engine that the variable ENGINE names: chromium, firefox or webkit. Each test goes on
 // with the page that the one before it has left, unless it opens another. `cargo xtask test --only Firefox` runs it in Firefox;
 // with PICTURES=some/folder it leaves a picture of every station there.
 

@@ -1,4 +1,0 @@
-// The journey in Chromium.
-
-process.env.ENGINE = "chromium";
-await import("./journey.mjs");

@@ -1,4 +1,0 @@
-// The journey in Firefox.
-
-process.env.ENGINE = "firefox";
-await import("./journey.mjs");

@@ -1,4 +1,0 @@
-// The journey in WebKit.
-
-process.env.ENGINE = "webkit";
-await import("./journey.mjs");
