@@ -30,14 +30,52 @@
 export async function start(name) {
   switch (name) {
     case "chromium":
-      return (await import("./chromium.mjs")).startChromium();
+      return bounded(await (await import("./chromium.mjs")).startChromium());
     case "firefox":
-      return (await import("./firefox.mjs")).startFirefox();
+      return bounded(await (await import("./firefox.mjs")).startFirefox());
     case "webkit":
-      return (await import("./webkit.mjs")).startWebKit();
+      return bounded(await (await import("./webkit.mjs")).startWebKit());
     default:
       throw new Error(`ENGINE is one of chromium, firefox, webkit; ${name} was given`);
   }
+}
+
+/** No single thing that is asked of a browser takes so long, ms. */
+const LONGEST = 90_000;
+
+/**
+ * The same browser, whose calls do not wait for ever: what never comes is told by its name, where a test that runs out of
+ * its time could only say that it did.
+ *
+ * @param {Driver} driver
+ * @returns {Driver}
+ */
+function bounded(driver) {
+  return new Proxy(driver, {
+    get: (browser, name) => {
+      const asked = Reflect.get(browser, name);
+      if (typeof asked !== "function") return asked;
+      return async (/** @type {unknown[]} */ ...given) => {
+        /** @type {NodeJS.Timeout | undefined} */
+        let timer;
+        const late = new Promise((_, reject) => {
+          const what = `${String(name)}(${given.map(shown).join(", ")})`;
+          timer = setTimeout(() => reject(new Error(`${browser.name} has not answered for ${LONGEST / 1000} s: ${what}`)), LONGEST);
+        });
+        try {
+          return await Promise.race([asked(...given), late]);
+        } finally {
+          clearTimeout(timer);
+        }
+      };
+    },
+  });
+}
+
+/** What was given, short enough for a message. @param {unknown} given */
+function shown(given) {
+  const text = typeof given === "function" ? String(given) : (JSON.stringify(given) ?? "");
+  return text.replace(/\s+/g, " ").slice(0, 200);
 }
 
 /**
