@@ -42,6 +42,11 @@ const actions = new Actions();
 let hideHands = null;
 showAppearance();
 
+/** Whoever prints the page, or goes through it quickly, finds all of it complete after this time, ms. */
+const LEISURE = 20_000;
+/** @type {Promise<void>} */
+const leisure = new Promise((resolve) => setTimeout(resolve, LEISURE));
+
 /** What the figures are given once the engine runs. */
 const services = engine.then((running) => {
   readAddress(running);
@@ -50,6 +55,7 @@ const services = engine.then((running) => {
     store,
     priority: PRIORITY,
     error: (/** @type {import("./figure/services.js").GearErrorFields} */ fields) => new GearError(fields),
+    leisure,
     later: whenCalm,
     painted: countDrawing,
     exports: (/** @type {GearFigure} */ figure, /** @type {HTMLElement} */ button) =>

@@ -1,6 +1,6 @@
 // The way of the numbers: workers that die are replaced, what is overtaken is dropped, what is quick stays quick.
 
-import { control, data, expect, figure, open, settled, test } from "./page.js";
+import { IDS, control, data, expect, figure, open, settled, test } from "./page.js";
 
 /** @typedef {{__gear: {engine: import("../../www/engine/client.js").Engine}}} Tested */
 
@@ -54,6 +54,59 @@ test("a worker that dies in the middle of a computation is replaced, and the com
     return { restarted, killed, zeta: figure.params.zeta };
   });
   expect(outcome).toEqual({ restarted: 1, killed: true, zeta: 0.0205 });
+});
+
+test("what is far from the screen stops at its first picture until the reader comes near or somebody asks", async ({ page }) => {
+  await page.addInitScript(() => {
+    const ready = (/** @type {any} */ (window).ready = /** @type {string[]} */ ([]));
+    addEventListener("gear-ready", (event) => ready.push(/** @type {CustomEvent} */ (event).detail.figure));
+  });
+  await open(page);
+  const state = () =>
+    page.evaluate(() => {
+      const { engine } = /** @type {Tested} */ (/** @type {unknown} */ (window)).__gear;
+      const pictured = [...document.querySelectorAll("gear-figure")].filter((one) => /** @type {any} */ (one).shown !== null).length;
+      return { busy: engine.pool.busy, pictured, ready: /** @type {string[]} */ (/** @type {any} */ (window).ready) };
+    });
+  // Nothing is left to compute, and all have a picture.
+  await expect.poll(async () => (({ busy, pictured }) => !busy && pictured)(await state())).toBe(IDS.length);
+  const { ready } = await state();
+  expect(ready).toContain("1");
+  for (const far of ["10", "B", "S", "A"]) expect(ready).not.toContain(far);
+  await expect(figure(page, "A").locator(".status")).not.toContainText("Computing");
+  await page.locator("#fig-A").evaluate((element) => element.scrollIntoView({ block: "center" }));
+  await expect.poll(async () => (await state()).ready).toContain("A");
+  expect((await state()).ready).not.toContain("10");
+  expect((await data(page, "10")).series.length).toBeGreaterThan(2);
+  expect((await state()).ready).toContain("10");
+});
+
+test("a worker that dies with a figure held at its first picture holds it there again", async ({ page }) => {
+  await open(page);
+  const outcome = await page.evaluate(async () => {
+    const { engine } = /** @type {Tested} */ (/** @type {unknown} */ (window)).__gear;
+    let pictures = 0;
+    let goOn = () => {};
+    const held = new Promise((/** @type {(value: void) => void} */ resolve) => (goOn = resolve));
+    const pictured = (/** @type {number} */ wanted) =>
+      new Promise((resolve) => {
+        const look = () => (pictures >= wanted ? resolve(null) : setTimeout(look, 10));
+        look();
+      });
+    let done = false;
+    const answer = engine.compute("9", { zeta: 0.021 }, { held, partial: () => (pictures += 1) });
+    void answer.then(() => (done = true));
+    await pictured(1);
+    engine.pool.kill("error");
+    await pictured(2);
+    // As when the page is put away: what is held gives its memory back as well.
+    engine.rest();
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    const before = { pictures, done };
+    goOn();
+    return { before, zeta: (await answer).params.zeta };
+  });
+  expect(outcome).toEqual({ before: { pictures: 2, done: false }, zeta: 0.021 });
 });
 
 test("the newest of many wishes wins, and the figure stays with it", async ({ page }) => {

@@ -72,8 +72,7 @@ test("without scripts its text and still drawings stand there", async ({ browser
 });
 
 for (const home of ["the single file", "the site"]) {
-  test(`a figure saved from ${home} is a live file of its own`, async ({ page, baseURL }, info) => {
-    const noise = listen(page);
+  test(`a figure saved from ${home} is a live file of its own`, async ({ page, context, baseURL }, info) => {
     const site = home === "the site";
     // In the single file the modules have no addresses: the page hands its own to tests.
     await page.goto(site ? `${baseURL}?test` : `${PAGE}?test`);
@@ -94,11 +93,12 @@ for (const home of ["the single file", "the site"]) {
     expect(text.length).toBeLessThan(2_000_000);
     const saved = info.outputPath("figure.html");
     writeFileSync(saved, text);
-    noise.length = 0;
-    await page.goto(pathToFileURL(saved).href);
-    await expect(page.getByRole("heading", { name: "A map & <more>" })).toBeVisible();
-    await expect.poll(() => marked(page, "first-figure"), { timeout: 30_000 }).not.toBeNull();
-    const omega = await figure(page, "11a").evaluate(
+    const file = await context.newPage();
+    const noise = listen(file);
+    await file.goto(pathToFileURL(saved).href);
+    await expect(file.getByRole("heading", { name: "A map & <more>" })).toBeVisible();
+    await expect.poll(() => marked(file, "first-figure"), { timeout: 30_000 }).not.toBeNull();
+    const omega = await figure(file, "11a").evaluate(
       async (element) => (await /** @type {import("../../www/figure/gear-figure.js").GearFigure} */ (element).data()).params.Omega,
     );
     expect(omega).toBe(1.6);

@@ -125,6 +125,8 @@ async function goHome(page) {
   for (const id of ["fig-1", "fig-T"]) await settled(page, id);
   await page.evaluate(() => new Promise((resolve) => requestIdleCallback(() => requestAnimationFrame(() => resolve(null)))));
   // As when the page is put away: the memory of wasm is not collected, but given back.
+  // What completes by itself later brings its words and tables then.
+  await page.evaluate(() => Promise.all([...document.querySelectorAll("gear-figure[id^=fig]")].map((one) => /** @type {any} */ (one).data().catch(() => null))));
   await expect.poll(() => page.evaluate(() => /** @type {any} */ (window).__gear.engine.pool.busy), { timeout: 60_000 }).toBe(false);
   await page.evaluate(() => /** @type {any} */ (window).__gear.engine.rest());
 }

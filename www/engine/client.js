@@ -19,6 +19,7 @@
  * @property {(figure: Figure) => void} [partial]  What there is so far.
  * @property {() => void} [restarted]  The worker died and the computation begins anew in its successor.
  * @property {import("./protocol.js").Wanted | null} [picture]  How it will be drawn: where that can be the worker draws it too.
+ * @property {Promise<void> | null} [held]  Until this is over it stops at its first picture.
  */
 
 import { GearError, load } from "../../gear-bifurcations.js";
@@ -103,7 +104,7 @@ export class Engine {
    * @param {ComputeOptions} [options]
    * @returns {Promise<Figure>} rejected with a `GearError`, or with the signal's reason
    */
-  compute(id, given, { signal, priority = PRIORITY.shown, partial, restarted, picture: wanted = null } = {}) {
+  compute(id, given, { signal, priority = PRIORITY.shown, partial, restarted, picture: wanted = null, held = null } = {}) {
     return new Promise((resolve, reject) => {
       if (signal?.aborted) {
         reject(signal.reason);
@@ -151,8 +152,9 @@ export class Engine {
               reject(new GearError(error));
             },
           };
-          tickets.push(early === null ? this.#pool.run({ id, given, heavy, priority, part, parts, picture: parts === 1 ? wanted : null }, answers) : early.takenUp(answers));
+          tickets.push(early === null ? this.#pool.run({ id, given, heavy, priority, part, parts, picture: parts === 1 ? wanted : null, held: held !== null }, answers) : early.takenUp(answers));
         }
+        void held?.then(() => tickets.forEach((ticket) => this.#pool.goOn(ticket)));
       };
       signal?.addEventListener("abort", abandon, { once: true });
       if (AT_ONCE.test(id)) run();

@@ -21,6 +21,7 @@ import { faces, newWorker } from "./delivery.js";
  * @property {boolean} heavy
  * @property {number} priority
  * @property {import("./protocol.js").Wanted | null} [picture]  How it is to be drawn, where the worker is to draw it.
+ * @property {boolean} [held]  Whether it stops at its first picture, until `goOn`.
  * @property {number} part  Which part of the figure, from 0; each has a worker of its own, as far as there are enough.
  * @property {number} parts  Of how many.
  */
@@ -33,7 +34,7 @@ import { faces, newWorker } from "./delivery.js";
  * @property {() => void} restarted  The worker died; the computation begins anew in its successor.
  */
 
-/** @typedef {{wanted: Wanted, answers: Answers, deaths: number}} Task  Deaths that it is to blame for. */
+/** @typedef {{wanted: Wanted, answers: Answers, deaths: number, pictured: boolean}} Task  Deaths that it is to blame for. */
 /**
  * @typedef {object} Seat
  * @property {Worker} worker
@@ -93,7 +94,7 @@ export class Pool {
 
   /** Whether anything is computed. */
   get busy() {
-    return this.#seats.some(({ tasks }) => tasks.size > 0);
+    return this.#seats.some(isBusy);
   }
 
   /**
@@ -105,10 +106,24 @@ export class Pool {
     const ticket = ++this.#tickets;
     const seat = this.#seatFor(wanted);
     if (seat.closed) this.#reopen(seat);
-    seat.tasks.set(ticket, { wanted, answers, deaths: 0 });
+    seat.tasks.set(ticket, { wanted, answers, deaths: 0, pictured: false });
     this.#ask(seat, ticket, wanted);
-    this.#pulse ??= setInterval(() => this.#check(), PULSE);
+    this.#watch();
     return ticket;
+  }
+
+  /**
+   * What was held goes on to its end.
+   *
+   * @param {number} ticket
+   */
+  goOn(ticket) {
+    const seat = this.#seats.find(({ tasks }) => tasks.has(ticket));
+    const task = seat?.tasks.get(ticket);
+    if (seat === undefined || task?.wanted.held !== true) return;
+    task.wanted = { ...task.wanted, held: false };
+    this.#say(seat, { type: "go-on", ticket });
+    this.#watch();
   }
 
   /** @param {number} ticket */
@@ -204,8 +219,8 @@ export class Pool {
    * @param {number} ticket
    * @param {Wanted} wanted
    */
-  #ask(seat, ticket, { id, given, priority, part, parts, picture = null }) {
-    this.#say(seat, { type: "run", ticket, id, given, priority, part, parts, picture });
+  #ask(seat, ticket, { id, given, priority, part, parts, picture = null, held = false }) {
+    this.#say(seat, { type: "run", ticket, id, given, priority, part, parts, picture, held });
   }
 
   /**
@@ -229,6 +244,7 @@ export class Pool {
       return;
     }
     if (message.type === "partial") {
+      task.pictured = true;
       task.answers.partial(message.figure, message.drawn);
       return;
     }
@@ -237,11 +253,15 @@ export class Pool {
     else task.answers.failed(message.error);
   }
 
+  #watch() {
+    this.#pulse ??= setInterval(() => this.#check(), PULSE);
+  }
+
   /** Asks busy workers for a sign of life; counts questions, not seconds, because a sleeping page asks rarely. */
   #check() {
     let busy = false;
     for (const seat of this.#seats) {
-      if (seat.tasks.size === 0) continue;
+      if (!isBusy(seat)) continue;
       busy = true;
       seat.silent += 1;
       if (seat.silent > (seat.ready ? PATIENCE : PATIENCE_AT_START)) this.#replace(seat);
@@ -274,10 +294,16 @@ export class Pool {
     }
     this.#reopen(seat);
     for (const [ticket, task] of seat.tasks) {
+      task.pictured = false;
       this.#ask(seat, ticket, task.wanted);
       task.answers.restarted();
     }
   }
+}
+
+/** What is held at its first picture is no work. @param {Seat} seat */
+function isBusy({ tasks }) {
+  return [...tasks.values()].some(({ wanted, pictured }) => !(wanted.held && pictured));
 }
 
 /** @returns {GearErrorFields} */

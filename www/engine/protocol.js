@@ -18,14 +18,15 @@
  *
  * @typedef {{type: "start", module: WebAssembly.Module}} Start
  * @typedef {{type: "faces", faces: readonly Face[]}} Faces  Of the drawings' typeface.
- * @typedef {{type: "run", ticket: number, id: string, given: Given, priority: number, part: number, parts: number, picture: Wanted | null}} Run
- *   With a picture, its first part and its end come drawn.
+ * @typedef {{type: "run", ticket: number, id: string, given: Given, priority: number, part: number, parts: number, picture: Wanted | null, held: boolean}} Run
+ *   With a picture, its first part and its end come drawn. Held, it stops at its first picture until `go-on`.
+ * @typedef {{type: "go-on", ticket: number}} GoOn
  * @typedef {{type: "cancel", ticket: number}} Cancel
  * @typedef {{type: "ping"}} Ping
  * @typedef {{type: "pace", firstPictures: boolean}} Pace  Whether to stop every computation at its first picture.
  * @typedef {{type: "rest"}} Rest  Give memory back, once there is nothing to compute.
  * @typedef {{type: "fail"}} Fail  Throw an error outside any computation: how tests make a worker die.
- * @typedef {Start | Faces | Run | Cancel | Ping | Pace | Rest | Fail} ToWorker
+ * @typedef {Start | Faces | Run | GoOn | Cancel | Ping | Pace | Rest | Fail} ToWorker
  */
 
 /**

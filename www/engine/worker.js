@@ -72,10 +72,15 @@ function next() {
   /** @type {Job | null} */
   let best = null;
   for (const job of jobs.values()) {
-    if (firstPictures && job.steps !== null) continue;
+    if ((firstPictures || job.run.held) && isPictured(job)) continue;
     if (best === null || comesBefore(job, best)) best = job;
   }
   return best;
+}
+
+/** @param {Job} job */
+function isPictured({ posted }) {
+  return posted !== -Infinity;
 }
 
 /**
@@ -132,7 +137,7 @@ function step(gear, job) {
 function show(gear, job, type, figure) {
   const { ticket, picture } = job.run;
   // What changes from one step to the next the page draws as often as it likes.
-  const first = job.posted === -Infinity;
+  const first = !isPictured(job);
   const made = picture !== null && (first || type === "done") ? drawn(gear, figure, picture) : null;
   post({ type, ticket, figure, drawn: made }, made === null ? buffersOf(figure) : [...buffersOf(figure), made.bitmap]);
 }
@@ -158,7 +163,10 @@ async function work() {
       if (jobs.has(job.run.ticket)) step(gear, job);
       await breathe();
     }
-    if (resting) giveBack(gear);
+    if (resting) {
+      for (const job of jobs.values()) leaveOff(job);
+      giveBack(gear);
+    }
   } catch (thrown) {
     // The module itself could not be started: every computation has the same answer.
     for (const ticket of jobs.keys()) post({ type: "failed", ticket, error: fieldsOf(thrown) });
@@ -168,10 +176,25 @@ async function work() {
   }
 }
 
+/** What is held at its first picture begins anew when it goes on. @param {Job} job */
+function leaveOff(job) {
+  job.steps?.return();
+  job.steps = null;
+}
+
 /** @param {number} ticket */
 function cancel(ticket) {
   jobs.get(ticket)?.steps?.return();
   jobs.delete(ticket);
+}
+
+/** @param {number} ticket */
+function goOn(ticket) {
+  const job = jobs.get(ticket);
+  if (job === undefined) return;
+  resting = false;
+  job.run.held = false;
+  void work();
 }
 
 self.addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }) => {
@@ -192,6 +215,9 @@ self.addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }
       resting = false;
       jobs.set(data.ticket, { run: data, steps: null, taken: 0, posted: -Infinity });
       void work();
+      break;
+    case "go-on":
+      goOn(data.ticket);
       break;
     case "cancel":
       cancel(data.ticket);

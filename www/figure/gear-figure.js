@@ -23,6 +23,7 @@ import { spoken, spokenFigure } from "../words/engine.js";
 import { decimalSign, onLanguage, say } from "../words/say.js";
 import { withHandleAt } from "./ahead.js";
 import { coarseDensity, density, onAppearance, resolveTheme, wantsStill } from "./appearance.js";
+import { Approach } from "./approach.js";
 import { askInFrame, askNoMore, asksInFrame } from "./asking.js";
 import { givenByAttributes } from "./attributes.js";
 import { createButtons, wholeButton } from "./bar.js";
@@ -92,6 +93,7 @@ export class GearFigure extends HTMLElement {
   #showBusy = () => {};
   /** @type {Computation | null} */
   #computation = null;
+  #approach = new Approach();
   /** What the attributes gave: to this a reset returns. @type {Given} */
   #start = {};
   /** Sentences about attributes that were left out: they stay as long as the attributes do. */
@@ -166,6 +168,7 @@ export class GearFigure extends HTMLElement {
       rootMargin: MARGIN,
     });
     sight.observe(this.#parts.stage);
+    this.#approach.watch(this.#parts.stage, signal);
     const size = new ResizeObserver(() => this.#repaint());
     size.observe(this.#parts.stage);
     const attributes = new MutationObserver((changes) => {
@@ -187,6 +190,7 @@ export class GearFigure extends HTMLElement {
           stands: () => this.#stands(),
           begin: (stands) => {
             this.inSight ||= stands;
+            if (stands) this.#approach.arrive();
             this.#begin(provided, signal);
             tellBegun();
           },
@@ -218,6 +222,7 @@ export class GearFigure extends HTMLElement {
     if (this.isConnected) await this.#begun;
     if (askNoMore(this.#asker) || this.#postponed) this.#ask(true);
     if (this.#computation === null) throw new Error("the figure is not in a document");
+    this.#approach.hurry();
     return this.#computation.answer;
   }
 
@@ -400,20 +405,32 @@ export class GearFigure extends HTMLElement {
    */
   #begin(provided, signal) {
     this.#services = provided;
-    const { engine, store, priority } = provided;
+    const { engine, store, priority, leisure } = provided;
+    void leisure?.then(() => this.#approach.atLeisure());
     const id = this.getAttribute("figure") ?? "";
     this.#info = engine.figures.get(id) ?? null;
     this.#questions = 0;
     this.#computation = new Computation({
       heavy: this.#info?.heavy ?? false,
-      compute: (given, { signal: ended, partial }) =>
-        engine.compute(id, given, {
+      compute: (given, { signal: ended, partial }) => {
+        const held = this.#approach.coming;
+        const answer = engine.compute(id, given, {
           signal: ended,
           partial,
           priority: this.inSight ? priority.shown : priority.hidden,
           restarted: () => this.#say(say("figure.replaced")),
           picture: this.#pictureAhead(),
-        }),
+          held,
+        });
+        if (held === null) this.#noticeLater();
+        else {
+          let over = false;
+          const end = () => (over = true);
+          answer.then(end, end);
+          void held.then(() => over || ended.aborted || this.#noticeLater());
+        }
+        return answer;
+      },
       // The first picture of all figures is the workers': here they would come one after another.
       now: (given) => (this.#here && this.inSight ? engine.glance(id, given) : null),
       show: (figure, complete) => this.#show(figure, complete),
@@ -596,15 +613,21 @@ export class GearFigure extends HTMLElement {
     this.#postponed = !wanted && !isHeldBack(this) && this.clientWidth === 0;
     if (this.#postponed) return;
     clearTimeout(this.#notice);
+    this.#asking = true;
+    this.#here = here && this.#questions > 1;
+    this.#computation?.wish(this.#given);
+    this.#asking = false;
+    if (wanted) this.#approach.hurry();
+  }
+
+  /** What takes long enough from now on says so. */
+  #noticeLater() {
+    clearTimeout(this.#notice);
     this.#notice = setTimeout(() => {
       this.#say(say("figure.computing"));
       this.#showBusy(true);
       if (this.#ahead !== null) this.#leadHandle(true);
     }, NOTICEABLE);
-    this.#asking = true;
-    this.#here = here && this.#questions > 1;
-    this.#computation?.wish(this.#given);
-    this.#asking = false;
   }
 
   /** @param {boolean} [silent]  See `withHandleAt`. */
@@ -719,7 +742,7 @@ export class GearFigure extends HTMLElement {
     }
     this.#parts.described.textContent = plain(this.#figure.summary);
     this.#speakAnew();
-    const busy = this.#computation?.busy ?? false;
+    const busy = this.#computation?.busy === true && !this.#approach.awaited;
     this.#showBusy(busy);
     this.#say(busy ? say("figure.computing") : this.#figure.notes.join(" "));
     this.#tabulate();

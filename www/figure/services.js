@@ -22,6 +22,7 @@
  * @property {() => void} restarted
  * @property {(Required<Pick<DrawOptions, "theme" | "density" | "view">> & {width: number, height: number}) | null} picture  How it will be drawn
  *   first, on a backing store of so many pixels: then it may come drawn; null where that is not known.
+ * @property {Promise<void> | null} held  Until this is over it stops at its first picture.
  */
 
 /**
@@ -75,6 +76,7 @@
  * @property {Store} store
  * @property {{shown: number, hidden: number}} priority
  * @property {(fields: GearErrorFields) => Error & GearErrorFields} error  Makes the error that `data()` rejects with.
+ * @property {Promise<void>} [leisure]  From when on figures are completed that nobody looks at.
  * @property {(work: () => void) => void} later  Does what can wait until figures are drawn.
  * @property {(figure: import("./gear-figure.js").GearFigure, button: HTMLElement) => void} [exports]  Opens the menu by which a figure is taken away.
  * @property {(element: HTMLElement) => void} painted  Called when a figure's first live drawing is on its canvas.
