@@ -11,6 +11,7 @@ import { Actions } from "./shell/actions.js";
 import { followAddress } from "./shell/address.js";
 import { furnishHeader } from "./shell/header.js";
 import { watchKeys } from "./shell/keys.js";
+import { atLeisure } from "./shell/leisure.js";
 import { problemWords, showNotice } from "./shell/notice.js";
 import { recall, remember } from "./shell/preferences.js";
 import { announcer } from "./shell/services.js";
@@ -42,11 +43,6 @@ const actions = new Actions();
 let hideHands = null;
 showAppearance();
 
-/** Whoever prints the page, or goes through it quickly, finds all of it complete after this time, ms. */
-const LEISURE = 20_000;
-/** @type {Promise<void>} */
-const leisure = new Promise((resolve) => setTimeout(resolve, LEISURE));
-
 /** What the figures are given once the engine runs. */
 const services = engine.then((running) => {
   readAddress(running);
@@ -55,7 +51,7 @@ const services = engine.then((running) => {
     store,
     priority: PRIORITY,
     error: (/** @type {import("./figure/services.js").GearErrorFields} */ fields) => new GearError(fields),
-    leisure,
+    leisure: atLeisure,
     later: whenCalm,
     painted: countDrawing,
     exports: (/** @type {GearFigure} */ figure, /** @type {HTMLElement} */ button) =>
@@ -78,7 +74,7 @@ services.then(() => (all === 0 ? complete() : setTimeout(complete, OPENING)), se
 // A story that is not shown at first is laid out piece by piece when it is.
 if (view !== "story" && ANCHORS) document.documentElement.dataset.opening = "";
 
-/** To be called when the story's heights have changed. @type {(() => void) | null} */
+/** To be called when the story's heights are about to change. @type {(() => void) | null} */
 let measureStory = null;
 
 /** Lays out what `figure/hold-back.js` has kept back and no figure has brought yet. */

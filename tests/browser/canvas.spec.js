@@ -41,3 +41,20 @@ test("a canvas whose context was lost is drawn again when it is back", async ({ 
   await figure(page, "2").evaluate((element) => element.shadowRoot?.querySelector("canvas")?.dispatchEvent(new Event("contextrestored")));
   await expect.poll(dark).toBe(before);
 });
+
+test("what is in sight is drawn at two pixels a CSS pixel, what is left behind at one, and on the way back finely again", async ({ page }) => {
+  await open(page);
+  const fineness = (/** @type {string} */ id) =>
+    page.locator(`#fig-${id}`).evaluate((element) => {
+      const canvas = element.shadowRoot?.querySelector("canvas");
+      return canvas ? Math.round((10 * canvas.width) / canvas.clientWidth) / 10 : 0;
+    });
+  expect(await page.evaluate(() => devicePixelRatio)).toBe(1);
+  await expect.poll(() => fineness("T")).toBe(2);
+  await expect.poll(() => fineness("4")).toBe(1);
+  await page.locator("#fig-4").evaluate((element) => element.scrollIntoView({ block: "center" }));
+  await expect.poll(() => fineness("4")).toBe(2);
+  await expect.poll(() => fineness("T")).toBe(1);
+  await page.evaluate(() => scrollTo({ top: 0 }));
+  await expect.poll(() => fineness("T")).toBe(2);
+});

@@ -36,8 +36,8 @@ export async function stand(page, id, index = 0) {
 }
 
 /**
- * Where a figure's canvas is in the window, once it has kept its place for some frames: sections that come near wake, and what
- * they were thought to be high is corrected.
+ * Where a figure's canvas is in the window, once it and the page have kept their places for some frames: figures that the reader has
+ * come near are completed, and bring their words.
  *
  * @param {Page} page
  * @param {string} id
@@ -47,13 +47,16 @@ function still(page, id) {
   return figure(page, id).evaluate(async (element) => {
     const canvas = element.shadowRoot?.querySelector("canvas");
     if (!canvas) throw new Error("no canvas");
-    const FRAMES = 5;
-    let last = { x: NaN, y: NaN };
+    // Longer than the page takes to see that nothing is scrolled any more.
+    const FRAMES = 15;
+    const { pool } = /** @type {any} */ (window).__gear.engine;
+    let last = { x: NaN, y: NaN, scrolled: NaN };
     for (let same = 0; same < FRAMES; ) {
       await new Promise((resolve) => requestAnimationFrame(resolve));
       const { x, y } = canvas.getBoundingClientRect();
-      same = x === last.x && y === last.y ? same + 1 : 0;
-      last = { x, y };
+      const scrolled = scrollY;
+      same = x === last.x && y === last.y && scrolled === last.scrolled && !pool.busy ? same + 1 : 0;
+      last = { x, y, scrolled };
     }
     return last;
   });

@@ -81,6 +81,20 @@ test("what is far from the screen stops at its first picture until the reader co
   expect((await state()).ready).toContain("10");
 });
 
+test.describe("while nobody does anything", () => {
+  test.use({ handsOn: false });
+
+  test("all figures are completed, far as they are", async ({ page }) => {
+    await page.addInitScript(() => {
+      const ready = (/** @type {any} */ (window).ready = /** @type {string[]} */ ([]));
+      addEventListener("gear-ready", (event) => ready.push(/** @type {CustomEvent} */ (event).detail.figure));
+    });
+    await open(page);
+    await expect.poll(() => page.evaluate(() => /** @type {any} */ (window).ready.length), { timeout: 60_000 }).toBe(IDS.length);
+    expect(await page.evaluate(() => scrollY)).toBe(0);
+  });
+});
+
 test("a worker that dies with a figure held at its first picture holds it there again", async ({ page }) => {
   await open(page);
   const outcome = await page.evaluate(async () => {

@@ -31,7 +31,9 @@ const BLOCKED = "Service Worker registration blocked by Playwright";
 
 /** Every test: no console line, no uncaught error, no request but to the page's own origin. */
 export const test = base.extend({
-  page: async ({ page, baseURL }, use) => {
+  /** Whether the reader always has a hand on the page: what is done while nobody does anything would take the machine from the test beside this one. */
+  handsOn: [true, { option: true }],
+  page: async ({ page, baseURL, handsOn }, use) => {
     /** @type {string[]} */
     const noise = [];
     const origin = new URL(baseURL ?? "http://127.0.0.1").origin;
@@ -47,6 +49,7 @@ export const test = base.extend({
       if (response.status() >= 400) noise.push(`status ${response.status()}: ${response.url()}`);
     });
     await page.addInitScript(installReader);
+    if (handsOn) await page.addInitScript(() => setInterval(() => dispatchEvent(new Event("input")), 500));
     await use(page);
     expect(noise).toEqual([]);
   },

@@ -1,14 +1,14 @@
 /**
- * Whether a figure is worth completing: its first picture is made at once, the rest when the reader comes near it and stays a
- * moment, when somebody asks for its numbers, or when the page has been open for so long that nobody is kept waiting by it.
- * Thirty figures that are all completed while a page opens hold two processors for five seconds, in which whoever
- * begins to read and try would feel it.
+ * Whether a figure is worth completing: its first picture is made at once, the rest when the reader comes near it and stops
+ * there, when somebody asks for its numbers, or when nobody does anything (see shell/leisure.js). Thirty figures that are
+ * all completed while a page opens hold two processors for five seconds, in which whoever begins to read and try would
+ * feel it.
  */
+
+import { whenStill } from "./scroll.js";
 
 /** So near, in heights of the window above and below it. */
 const NEAR = "200% 0px";
-/** Whoever scrolls past is gone again within this, ms. */
-const PASSING = 150;
 
 /** @type {WeakMap<Element, (near: boolean) => void>} */
 const seers = new WeakMap();
@@ -21,13 +21,15 @@ const watch = new IntersectionObserver(
 );
 
 export class Approach {
+  /** By its place. */
   #near = false;
-  /** Nothing waits any more. */
-  #leisure = false;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #arrival;
+  /** The reader has been near it and has stopped there. */
+  #reached = false;
   /** @type {(() => void)[]} */
   #waiting = [];
+  #stop = () => {
+    if (this.#near) this.arrive();
+  };
 
   /**
    * Watches until the signal is aborted.
@@ -38,15 +40,12 @@ export class Approach {
   watch(place, signal) {
     seers.set(place, (near) => this.#see(near));
     watch.observe(place);
-    signal.addEventListener("abort", () => {
-      watch.unobserve(place);
-      clearTimeout(this.#arrival);
-    });
+    signal.addEventListener("abort", () => watch.unobserve(place));
   }
 
   /** Over when it is worth while; null where it is already. @returns {Promise<void> | null} */
   get coming() {
-    return this.#near || this.#leisure ? null : new Promise((resolve) => this.#waiting.push(resolve));
+    return this.#reached ? null : new Promise((resolve) => this.#waiting.push(resolve));
   }
 
   /** Whether anything waits for the reader. */
@@ -59,22 +58,16 @@ export class Approach {
     for (const resolve of this.#waiting.splice(0)) resolve();
   }
 
-  /** From now on everything is worth while. */
-  atLeisure() {
-    this.#leisure = true;
-    this.hurry();
-  }
-
   /** It is on the screen: nobody need see it come. */
   arrive() {
-    this.#near = true;
+    this.#reached = true;
     this.hurry();
   }
 
   /** @param {boolean} near */
   #see(near) {
-    clearTimeout(this.#arrival);
-    if (near && !this.#near) this.#arrival = setTimeout(() => this.arrive(), PASSING);
-    else if (!near) this.#near = false;
+    this.#near = near;
+    if (near) whenStill(this.#stop);
+    else this.#reached = false;
   }
 }

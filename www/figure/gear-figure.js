@@ -37,6 +37,7 @@ import { PATIENCE, hurry, paperWords } from "./paper.js";
 import { forgetPaint, requestPaint } from "./paint-queue.js";
 import { Reach } from "./reach.js";
 import { showRows } from "./rows.js";
+import { isScrolling, whenStill } from "./scroll.js";
 import { services } from "./services.js";
 import { furnish } from "./shadow.js";
 import { showTables } from "./table.js";
@@ -53,8 +54,10 @@ const NARROWEST = 60;
 const STATIC_AFTER = 600;
 /** How wide a picture is of a figure that has no place on the page at present, CSS pixels. */
 const USUAL_WIDTH = 720;
+/** What has been out of sight for so long has been left, ms. */
+const LEFT = 200;
 /** How far out of sight a figure still counts as seen. */
-const MARGIN = "100px";
+const MARGIN = "300px";
 
 let anonymous = 0;
 
@@ -120,10 +123,26 @@ export class GearFigure extends HTMLElement {
       else if (this.#computation?.busy && this.inSight) this.#leadHandle();
     },
   };
-  /** Whether what is drawn has yet to be drawn as finely as it should be. */
-  #coarse = false;
-  /** Whether the page has opened, and can draw as finely as it likes. */
-  #settled = false;
+  /** Whether what is drawn has yet to be drawn as finely as it should be: what was never drawn is worth no fine picture while it passes by. */
+  coarse = true;
+  /** Draws finely what was drawn coarsely while it was not seen, or not for long. */
+  #refine = async () => {
+    const [figure, engine] = [this.#figure, this.#services?.engine];
+    if (!this.coarse || !this.inSight || figure === null || engine === undefined) return;
+    // What moves is drawn for its moment.
+    if (figure.motion === null) await engine.drawAside(figure, this.#wanted(this.#viewOf(figure), density()));
+    this.#repaint();
+  };
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #leaving;
+  /**
+   * Draws coarsely what has been left behind. A browser without a graphics processor copies all canvases that are not far whenever it
+   * paints another stretch of the page, and fine ones take four times as long and as much memory.
+   */
+  #coarsen = () => whenStill(this.#coarsenNow);
+  #coarsenNow = () => {
+    if (!this.coarse && !this.inSight && coarseDensity() < density()) this.#repaint();
+  };
   #life = new AbortController();
   /** When its turn has come. @type {Promise<void>} */
   #begun = Promise.resolve();
@@ -207,6 +226,7 @@ export class GearFigure extends HTMLElement {
     this.#computation?.stop();
     this.#clock?.pause();
     clearTimeout(this.#notice);
+    clearTimeout(this.#leaving);
     askNoMore(this.#asker);
     forgetPaint(this);
   }
@@ -299,9 +319,18 @@ export class GearFigure extends HTMLElement {
     if (this.#services?.engine.draws !== true || this.#questions > 1 || this.#info?.animated !== false || this.hasAttribute("veiled") || hidden.length > 0 || Object.keys(windows).length > 0) return null;
     const { stage } = this.#parts;
     if (stage.clientWidth < NARROWEST) return null;
-    const pixels = density();
-    const view = { ...this.#turning?.direction, windows: {}, hidden: [], decimal: decimalSign() };
-    return { ...storeOf(stage, pixels), theme: this.#theme, density: pixels, view };
+    const view = { ...this.#turning?.direction, windows: {}, hidden: [] };
+    return this.#wanted(view, density());
+  }
+
+  /**
+   * How a picture is to be drawn on a canvas of so many pixels a CSS pixel.
+   *
+   * @param {import("../engine/gear-bifurcations.js").ViewOptions} view
+   * @param {number} pixels
+   */
+  #wanted(view, pixels) {
+    return { ...storeOf(this.#parts.stage, pixels), theme: this.#theme, density: pixels, view: { ...view, decimal: decimalSign() } };
   }
 
   /** Draws now what is known now. */
@@ -311,9 +340,12 @@ export class GearFigure extends HTMLElement {
     const { hidden } = this.#shown;
     const view = this.#viewOf(this.#figure);
     this.#hidden = new Set(view.hidden);
-    // While the page opens, what is out of sight need not be fine yet: that makes room for what is seen.
-    const pixels = this.#settled || this.inSight || this.#services.engine.drawn(this.#figure) ? density() : coarseDensity();
-    this.#coarse = pixels < density();
+    // What is out of sight need not be fine yet: that makes room for what is seen, and a screenful of canvases that comes near
+    // at once costs the browser a quarter. On paper all is seen.
+    const fine = this.#theme === "print" || this.#services.engine.drawn(this.#figure) || (this.inSight && (!this.coarse || !isScrolling()));
+    const pixels = fine ? density() : coarseDensity();
+    this.coarse = pixels < density();
+    if (this.coarse && this.inSight) whenStill(this.#refine);
     fitStore(canvas, stage, pixels);
     try {
       const { frames, looks } = this.#services.engine.draw(this.#ahead ?? this.#figure, canvas, { theme: this.#theme, density: pixels, view: { ...view, decimal: decimalSign() } });
@@ -331,8 +363,6 @@ export class GearFigure extends HTMLElement {
     this.#services.painted(this);
     this.#services.later(() => {
       this.#buildPanel();
-      this.#settled = true;
-      if (this.#coarse) this.#repaint();
     });
   }
 
@@ -406,7 +436,6 @@ export class GearFigure extends HTMLElement {
   #begin(provided, signal) {
     this.#services = provided;
     const { engine, store, priority, leisure } = provided;
-    void leisure?.then(() => this.#approach.atLeisure());
     const id = this.getAttribute("figure") ?? "";
     this.#info = engine.figures.get(id) ?? null;
     this.#questions = 0;
@@ -427,7 +456,13 @@ export class GearFigure extends HTMLElement {
           let over = false;
           const end = () => (over = true);
           answer.then(end, end);
-          void held.then(() => over || ended.aborted || this.#noticeLater());
+          const idle = () => over || ended.aborted;
+          void held.then(() => idle() || this.#noticeLater());
+          leisure?.(() => {
+            if (idle()) return null;
+            this.#approach.hurry();
+            return answer;
+          });
         }
         return answer;
       },
@@ -757,7 +792,10 @@ export class GearFigure extends HTMLElement {
   #see(inSight) {
     this.inSight = inSight;
     if (inSight && this.#postponed) this.#ask();
-    if (inSight && (this.#coarse || this.#computation?.busy)) this.#repaint();
+    if (inSight && this.#computation?.busy) this.#repaint();
+    if (inSight && this.coarse) whenStill(this.#refine);
+    clearTimeout(this.#leaving);
+    if (!inSight && !this.coarse) this.#leaving = setTimeout(this.#coarsen, LEFT);
     if (this.#clock) this.#clock.seen = inSight;
   }
 

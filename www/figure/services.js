@@ -36,7 +36,8 @@
  * @property {(id: string, given: Given) => {figure: Figure, done: boolean} | null} glance  What comes of it here in a moment; null for nothing.
  * @property {(id: string, given: Given, time: number) => {figure: Figure, done: boolean} | null} within  What can be computed here in so many ms.
  * @property {boolean} draws  Whether figures can come with their first picture.
- * @property {(figure: Figure) => boolean} drawn  Whether it came with its picture, which has not been shown yet.
+ * @property {(figure: Figure) => boolean} drawn  Whether it came with its picture, or was drawn aside, and that has not been shown yet.
+ * @property {(figure: Figure, wanted: NonNullable<ComputeOptions["picture"]>) => Promise<void>} drawAside  Draws it so that showing it is little work.
  * @property {(figure: Figure, canvas: HTMLCanvasElement, options: DrawOptions) => {frames: FrameMap[], looks: SeriesLook[]}} draw
  */
 
@@ -76,7 +77,7 @@
  * @property {Store} store
  * @property {{shown: number, hidden: number}} priority
  * @property {(fields: GearErrorFields) => Error & GearErrorFields} error  Makes the error that `data()` rejects with.
- * @property {Promise<void>} [leisure]  From when on figures are completed that nobody looks at.
+ * @property {(piece: () => (Promise<unknown> | null)) => void} [leisure]  Does what nobody waits for when nobody does anything.
  * @property {(work: () => void) => void} later  Does what can wait until figures are drawn.
  * @property {(figure: import("./gear-figure.js").GearFigure, button: HTMLElement) => void} [exports]  Opens the menu by which a figure is taken away.
  * @property {(element: HTMLElement) => void} painted  Called when a figure's first live drawing is on its canvas.

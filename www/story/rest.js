@@ -1,10 +1,9 @@
 /**
- * Sections of the story that are far from the screen rest: the browser neither styles nor lays out nor paints what is in them,
- * and takes each to be as high as it was. So the page can be left and come back to at the cost of what is seen. What rests is
- * still found by searching, read aloud and led to by links; on paper nothing rests. How it is done is in style/story.css.
- *
- * Each section must have been laid out once, so that its height is known: that is done in turn, a frame for each, for
- * all of them in one go would hold the page up.
+ * The story is long: to style and lay out all of it in one go would hold the page up. So its sections far from the screen rest
+ * while another view is shown or all heights change, neither styled nor laid out nor painted, each as high as it was; then
+ * they are woken in turn, a frame for each. What rests is still found by searching, read aloud and led to by links; on
+ * paper nothing rests. A page that stands has nothing at rest, so that whatever pictures or reads all of it finds all of it.
+ * How it is done is in style/story.css.
  */
 
 /**
@@ -13,12 +12,12 @@
  */
 export const ANCHORS = CSS.supports("overflow-anchor", "auto");
 
-/** Nearer than this, in heights of the window, nothing rests: what wakes has been drawn before it is seen. */
+/** Nearer than this, in heights of the window, nothing rests: it would be seen to come. */
 const NEAR = "100% 0px";
 
 /**
  * @param {HTMLElement} host  The story.
- * @returns {() => void} to be called when its heights have changed: not for its width, which is seen
+ * @returns {() => void} to be called when its heights are about to change: not for its width, which is seen
  */
 export function letFarSectionsRest(host) {
   if (!ANCHORS) {
@@ -27,56 +26,52 @@ export function letFarSectionsRest(host) {
   }
   const sections = /** @type {HTMLElement[]} */ ([...host.children].filter(({ localName }) => localName === "section"));
   const hidden = () => host.clientWidth === 0;
+  /** @type {Set<Element>} */
+  const near = new Set();
   const watch = new IntersectionObserver(
     (entries) => {
-      // While another view is shown nothing has a place: each stays as it was, for the reader comes back to where they were.
-      if (!hidden()) for (const { target, isIntersecting } of entries) target.classList.toggle("far", !isIntersecting);
+      // While another view is shown nothing has a place, and the reader comes back to where they were.
+      if (!hidden()) for (const { target, isIntersecting } of entries) isIntersecting ? near.add(target) : near.delete(target);
     },
     { rootMargin: NEAR },
   );
-  /** Those whose height is to be noted. @type {Set<HTMLElement>} */
-  const waiting = new Set();
-  let going = false;
-  const goOn = async () => {
-    if (going) return;
-    going = true;
-    for (const section of waiting) {
+  for (const section of sections) watch.observe(section);
+  /** Those whose height has yet to come true. @type {Set<HTMLElement>} */
+  const resting = new Set();
+  const rest = () => {
+    for (const section of sections) {
+      resting.add(section);
+      if (!near.has(section)) section.classList.add("far");
+    }
+  };
+  let waking = false;
+  const wake = async () => {
+    if (waking) return;
+    waking = true;
+    for (const section of resting) {
       if (hidden()) break;
-      waiting.delete(section);
+      resting.delete(section);
       section.classList.add("laid-out");
       section.classList.remove("far");
-      // In the next frame its height is noted, and then whether it is far.
-      watch.unobserve(section);
-      watch.observe(section);
       await nextFrame();
     }
-    going = false;
-    if (waiting.size === 0) layOutAll();
+    waking = false;
+    if (resting.size === 0) layOutAll();
   };
-  const measureAll = () => {
-    for (const section of sections) waiting.add(section);
-    void goOn();
+  const restAndWake = () => {
+    rest();
+    void wake();
   };
   let width = 0;
   const resized = () => {
-    if (hidden()) return;
-    // Shown again, it is as it was, but for what was left undone.
-    if (host.clientWidth !== width) measureAll();
-    else void goOn();
-    width = host.clientWidth;
+    if (hidden()) rest();
+    else if (host.clientWidth === width) void wake();
+    else restAndWake();
+    width = host.clientWidth || width;
   };
   // In a frame of its own: whoever changes sizes while sizes are told is told of a loop.
   new ResizeObserver(() => requestAnimationFrame(resized)).observe(host);
-  // A figure may bring sentences and tables with its numbers.
-  for (const name of ["gear-ready", "gear-change"]) {
-    host.addEventListener(name, ({ target }) => {
-      const section = target instanceof Element ? target.closest("section") : null;
-      if (section === null || !section.classList.contains("far")) return;
-      waiting.add(section);
-      void goOn();
-    });
-  }
-  return measureAll;
+  return restAndWake;
 }
 
 /** From now on nothing is held back that `figure/hold-back.js` has held back: all has its right place. */
@@ -84,7 +79,7 @@ export function layOutAll() {
   delete document.documentElement.dataset.opening;
 }
 
-/** Nothing rests: who goes far goes by heights that are true. What has been seen since then and left again rests anew. */
+/** Nothing rests: who goes far goes by heights that are true. */
 export function wakeAll() {
   layOutAll();
   for (const section of document.querySelectorAll("section.far")) section.classList.remove("far");
