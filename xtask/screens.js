@@ -66,7 +66,6 @@ try {
     page.setDefaultTimeout(PATIENCE_MILLISECONDS);
     await page.setViewportSize(screens[0].size);
     await page.goto(address);
-    await wake(page);
     for (const screen of screens) await take(page, screen);
     await context.close();
   }
@@ -102,19 +101,6 @@ async function take(page, { name, size, scheme = "light", hash = "#story&v=1", f
   await session.detach();
   if (paper) await page.evaluate(() => dispatchEvent(new Event("afterprint")));
   console.log(name);
-}
-
-/**
- * A picture shows all of the page at once, the far sections too, which rest otherwise (www/story/rest.js).
- *
- * @param {import("@playwright/test").Page} page
- */
-async function wake(page) {
-  await page.evaluate(() => {
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync("section { content-visibility: visible !important; }");
-    document.adoptedStyleSheets.push(sheet);
-  });
 }
 
 /**

@@ -29,9 +29,15 @@ export const COLORS = {
 /** Said by Playwright itself, which keeps service workers out of all tests but their own. */
 const BLOCKED = "Service Worker registration blocked by Playwright";
 
-/** Every test: no console line, no uncaught error, no request but to the page's own origin. */
-export const test = base.extend({
-  /** Whether the reader always has a hand on the page: what is done while nobody does anything would take the machine from the test beside this one. */
+/**
+ * @typedef {import("@playwright/test").PlaywrightTestArgs & import("@playwright/test").PlaywrightTestOptions} Args
+ * @typedef {import("@playwright/test").PlaywrightWorkerArgs & import("@playwright/test").PlaywrightWorkerOptions} WorkerArgs
+ * @typedef {{handsOn: boolean}} Options  Whether the reader always has a hand on the page: what is done while nobody does anything
+ *   would take the machine from the test beside this one.
+ */
+
+/** @type {import("@playwright/test").Fixtures<Options, {}, Args, WorkerArgs>} */
+const FIXTURES = {
   handsOn: [true, { option: true }],
   page: async ({ page, baseURL, handsOn }, use) => {
     /** @type {string[]} */
@@ -53,7 +59,10 @@ export const test = base.extend({
     await use(page);
     expect(noise).toEqual([]);
   },
-});
+};
+
+/** Every test: no console line, no uncaught error, no request but to the page's own origin. */
+export const test = base.extend(FIXTURES);
 
 export { expect };
 
