@@ -75,7 +75,7 @@ test("what is far from the screen stops at its first picture until the reader co
   for (const far of ["10", "B", "S", "A"]) expect(ready).not.toContain(far);
   await expect(figure(page, "A").locator(".status")).not.toContainText("Computing");
   await page.locator("#fig-A").evaluate((element) => element.scrollIntoView({ block: "center" }));
-  await expect.poll(async () => (await state()).ready).toContain("A");
+  await expect.poll(async () => (await state()).ready, { timeout: 60_000 }).toContain("A");
   expect((await state()).ready).not.toContain("10");
   expect((await data(page, "10")).series.length).toBeGreaterThan(2);
   expect((await state()).ready).toContain("10");

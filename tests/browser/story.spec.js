@@ -43,7 +43,16 @@ test("the story rests while another view is shown, and comes back as it was, all
   expect(await resting()).toEqual([]);
   await page.getByRole("navigation", { name: "Contents" }).getByRole("link", { name: "What is printed, and what is so" }).click();
   await expect(page.locator("#errata h2")).toBeInViewport();
-  await page.waitForTimeout(300);
+  // What is drawn and said last moves what is under it.
+  const standing = async () => [await page.evaluate(() => scrollY), ...(await heights())].join();
+  let last = "";
+  await expect
+    .poll(async () => {
+      const [before, now] = [last, await standing()];
+      last = now;
+      return now === before;
+    }, { intervals: [500] })
+    .toBe(true);
   const [place, before] = [await page.evaluate(() => scrollY), await heights()];
   await page.keyboard.press("2");
   await expect(page.getByRole("heading", { level: 1, name: "The laboratory" })).toBeAttached();

@@ -25,8 +25,8 @@ export class Approach {
   #near = false;
   /** The reader has been near it and has stopped there. */
   #reached = false;
-  /** @type {(() => void)[]} */
-  #waiting = [];
+  /** @type {Set<() => void>} */
+  #waiting = new Set();
   #stop = () => {
     if (this.#near) this.arrive();
   };
@@ -43,19 +43,29 @@ export class Approach {
     signal.addEventListener("abort", () => watch.unobserve(place));
   }
 
-  /** Over when it is worth while; null where it is already. @returns {Promise<void> | null} */
-  get coming() {
-    return this.#reached ? null : new Promise((resolve) => this.#waiting.push(resolve));
+  /**
+   * Over when it is worth while; null where it is already. To be called off by whoever needs it no more: a figure that the
+   * reader never comes near would keep all that was ever wanted of it.
+   *
+   * @returns {{over: Promise<void>, callOff: () => void} | null}
+   */
+  coming() {
+    if (this.#reached) return null;
+    let tell = () => {};
+    const over = new Promise((/** @type {(value: void) => void} */ resolve) => (tell = resolve));
+    this.#waiting.add(tell);
+    return { over, callOff: () => this.#waiting.delete(tell) };
   }
 
   /** Whether anything waits for the reader. */
   get awaited() {
-    return this.#waiting.length > 0;
+    return this.#waiting.size > 0;
   }
 
   /** What waits need not wait any longer. */
   hurry() {
-    for (const resolve of this.#waiting.splice(0)) resolve();
+    for (const tell of this.#waiting) tell();
+    this.#waiting.clear();
   }
 
   /** It is on the screen: nobody need see it come. */

@@ -435,35 +435,24 @@ export class GearFigure extends HTMLElement {
    */
   #begin(provided, signal) {
     this.#services = provided;
-    const { engine, store, priority, leisure } = provided;
+    const { engine, store, priority } = provided;
     const id = this.getAttribute("figure") ?? "";
     this.#info = engine.figures.get(id) ?? null;
     this.#questions = 0;
     this.#computation = new Computation({
       heavy: this.#info?.heavy ?? false,
       compute: (given, { signal: ended, partial }) => {
-        const held = this.#approach.coming;
+        const coming = this.#approach.coming();
         const answer = engine.compute(id, given, {
           signal: ended,
           partial,
           priority: this.inSight ? priority.shown : priority.hidden,
           restarted: () => this.#say(say("figure.replaced")),
           picture: this.#pictureAhead(),
-          held,
+          held: coming?.over ?? null,
         });
-        if (held === null) this.#noticeLater();
-        else {
-          let over = false;
-          const end = () => (over = true);
-          answer.then(end, end);
-          const idle = () => over || ended.aborted;
-          void held.then(() => idle() || this.#noticeLater());
-          leisure?.(() => {
-            if (idle()) return null;
-            this.#approach.hurry();
-            return answer;
-          });
-        }
+        if (coming === null) this.#noticeLater();
+        else this.#await(answer, coming, ended);
         return answer;
       },
       // The first picture of all figures is the workers': here they would come one after another.
@@ -653,6 +642,28 @@ export class GearFigure extends HTMLElement {
     this.#computation?.wish(this.#given);
     this.#asking = false;
     if (wanted) this.#approach.hurry();
+  }
+
+  /**
+   * What is held at its first picture goes on when the reader comes or nobody does anything.
+   *
+   * @param {Promise<Figure>} answer
+   * @param {{over: Promise<void>, callOff: () => void}} coming
+   * @param {AbortSignal} ended
+   */
+  #await(answer, coming, ended) {
+    let settled = false;
+    const callOff = this.#services?.leisure?.(() => {
+      this.#approach.hurry();
+      return answer;
+    });
+    const end = () => {
+      settled = true;
+      coming.callOff();
+      callOff?.();
+    };
+    answer.then(end, end);
+    void coming.over.then(() => settled || ended.aborted || this.#noticeLater());
   }
 
   /** What takes long enough from now on says so. */

@@ -77,7 +77,7 @@
  * @property {Store} store
  * @property {{shown: number, hidden: number}} priority
  * @property {(fields: GearErrorFields) => Error & GearErrorFields} error  Makes the error that `data()` rejects with.
- * @property {(piece: () => (Promise<unknown> | null)) => void} [leisure]  Does what nobody waits for when nobody does anything.
+ * @property {(piece: () => Promise<unknown>) => () => void} [leisure]  Does what nobody waits for when nobody does anything; what it returns calls that off.
  * @property {(work: () => void) => void} later  Does what can wait until figures are drawn.
  * @property {(figure: import("./gear-figure.js").GearFigure, button: HTMLElement) => void} [exports]  Opens the menu by which a figure is taken away.
  * @property {(element: HTMLElement) => void} painted  Called when a figure's first live drawing is on its canvas.

@@ -2,7 +2,7 @@
  * Work for when nobody does anything: done one piece after the other, each begun only while the page is left alone. Thus what
  * is far from the screen is complete before somebody prints the page or goes through it, and nobody waits for it meanwhile.
  *
- * @typedef {() => (Promise<unknown> | null)} Piece  Null where there is nothing to do any more.
+ * @typedef {() => Promise<unknown>} Piece
  */
 
 /** Left alone for so long, ms, it is idle. */
@@ -12,8 +12,8 @@ const LANES = 2;
 /** What a reader does. */
 const ACTS = ["pointerdown", "pointerup", "wheel", "keydown", "scroll", "touchstart", "input"];
 
-/** @type {Piece[]} */
-const pieces = [];
+/** @type {Set<Piece>} */
+const pieces = new Set();
 let touched = performance.now();
 let busy = 0;
 /** @type {ReturnType<typeof setTimeout> | null} */
@@ -21,29 +21,33 @@ let timer = null;
 
 for (const act of ACTS) addEventListener(act, () => (touched = performance.now()), { capture: true, passive: true });
 
-/** @param {Piece} piece */
+/**
+ * @param {Piece} piece
+ * @returns {() => void} to be called when it need not be done any more: a page in use may have no leisure for long
+ */
 export function atLeisure(piece) {
-  pieces.push(piece);
+  pieces.add(piece);
   look();
+  return () => void pieces.delete(piece);
 }
 
 function look() {
-  if (timer !== null || pieces.length === 0) return;
+  if (timer !== null || pieces.size === 0) return;
   // A page that nobody sees has its timers held back, and rests.
   timer = setTimeout(goOn, Math.max(0, touched + ALONE - performance.now()));
 }
 
 function goOn() {
   timer = null;
-  while (busy < LANES && pieces.length > 0 && performance.now() - touched >= ALONE) {
-    const work = pieces.shift()?.() ?? null;
-    if (work === null) continue;
+  for (const piece of pieces) {
+    if (busy === LANES || performance.now() - touched < ALONE) break;
+    pieces.delete(piece);
     busy += 1;
     const over = () => {
       busy -= 1;
       look();
     };
-    work.then(over, over);
+    piece().then(over, over);
   }
   // Else whoever is busy looks again at its end.
   if (busy < LANES) look();
