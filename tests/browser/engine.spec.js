@@ -56,11 +56,16 @@ test("a worker that dies in the middle of a computation is replaced, and the com
   expect(outcome).toEqual({ restarted: 1, killed: true, zeta: 0.0205 });
 });
 
-test("what is far from the screen stops at its first picture until the reader comes near or somebody asks", async ({ page }) => {
+/** Has the page note in `ready` which figures have been completed. @param {import("@playwright/test").Page} page */
+async function noteReady(page) {
   await page.addInitScript(() => {
     const ready = (/** @type {any} */ (window).ready = /** @type {string[]} */ ([]));
     addEventListener("gear-ready", (event) => ready.push(/** @type {CustomEvent} */ (event).detail.figure));
   });
+}
+
+test("what is far from the screen stops at its first picture until the reader comes near or somebody asks", async ({ page }) => {
+  await noteReady(page);
   await open(page);
   const state = () =>
     page.evaluate(() => {
@@ -85,10 +90,7 @@ test.describe("while nobody does anything", () => {
   test.use({ handsOn: false });
 
   test("all figures are completed, far as they are", async ({ page }) => {
-    await page.addInitScript(() => {
-      const ready = (/** @type {any} */ (window).ready = /** @type {string[]} */ ([]));
-      addEventListener("gear-ready", (event) => ready.push(/** @type {CustomEvent} */ (event).detail.figure));
-    });
+    await noteReady(page);
     await open(page);
     await expect.poll(() => page.evaluate(() => /** @type {any} */ (window).ready.length), { timeout: 60_000 }).toBe(IDS.length);
     expect(await page.evaluate(() => scrollY)).toBe(0);

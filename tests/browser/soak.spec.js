@@ -124,9 +124,9 @@ async function goHome(page) {
   await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
   for (const id of ["fig-1", "fig-T"]) await settled(page, id);
   await page.evaluate(() => new Promise((resolve) => requestIdleCallback(() => requestAnimationFrame(() => resolve(null)))));
-  // As when the page is put away: the memory of wasm is not collected, but given back.
   // What completes by itself later brings its words and tables then.
   await page.evaluate(() => Promise.all([...document.querySelectorAll("gear-figure[id^=fig]")].map((one) => /** @type {any} */ (one).data().catch(() => null))));
+  // As when the page is put away: the memory of wasm is not collected, but given back.
   await expect.poll(() => page.evaluate(() => /** @type {any} */ (window).__gear.engine.pool.busy), { timeout: 60_000 }).toBe(false);
   await page.evaluate(() => /** @type {any} */ (window).__gear.engine.rest());
 }

@@ -176,7 +176,7 @@ async function work() {
   }
 }
 
-/** What is held at its first picture begins anew when it goes on. @param {Job} job */
+/** Gives back what it holds of the module's memory; if it goes on it begins anew. @param {Job} job */
 function leaveOff(job) {
   job.steps?.return();
   job.steps = null;
@@ -184,7 +184,8 @@ function leaveOff(job) {
 
 /** @param {number} ticket */
 function cancel(ticket) {
-  jobs.get(ticket)?.steps?.return();
+  const job = jobs.get(ticket);
+  if (job !== undefined) leaveOff(job);
   jobs.delete(ticket);
 }
 

@@ -346,9 +346,10 @@ export class GearFigure extends HTMLElement {
     const pixels = fine ? density() : coarseDensity();
     this.coarse = pixels < density();
     if (this.coarse && this.inSight) whenStill(this.#refine);
-    fitStore(canvas, stage, pixels);
+    const { width, height, ...options } = this.#wanted(view, pixels);
+    fitStore(canvas, width, height);
     try {
-      const { frames, looks } = this.#services.engine.draw(this.#ahead ?? this.#figure, canvas, { theme: this.#theme, density: pixels, view: { ...view, decimal: decimalSign() } });
+      const { frames, looks } = this.#services.engine.draw(this.#ahead ?? this.#figure, canvas, options);
       this.#maps = frames;
       this.#legend.show(this.#figure, looks, hidden);
     } catch (thrown) {
@@ -361,9 +362,7 @@ export class GearFigure extends HTMLElement {
     if (stage.classList.contains("live")) return;
     stage.classList.add("live");
     this.#services.painted(this);
-    this.#services.later(() => {
-      this.#buildPanel();
-    });
+    this.#services.later(() => this.#buildPanel());
   }
 
   /** Before anything is known of the figure, its static drawing says how much room it takes. */
@@ -849,11 +848,10 @@ function storeOf(stage, pixels) {
  * Setting the size clears a canvas, so it is set only when it changes.
  *
  * @param {HTMLCanvasElement} canvas
- * @param {HTMLElement} stage
- * @param {number} pixels  A CSS pixel.
+ * @param {number} width
+ * @param {number} height
  */
-function fitStore(canvas, stage, pixels) {
-  const { width, height } = storeOf(stage, pixels);
+function fitStore(canvas, width, height) {
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
 }
