@@ -255,26 +255,30 @@ function canSleep() {
   });
 }
 
-test("a page that was hidden in the middle of things goes on when it is shown again", async ({ page }) => {
-  await page.addInitScript(canSleep);
-  await open(page);
-  await data(page, "12a");
-  const { box } = await control(page, "12a", "zeta");
-  const sleep = (/** @type {boolean} */ sleeps) => page.evaluate((value) => /** @type {any} */ (window).sleep(value), sleeps);
-  await box.fill("0.0211");
-  await box.press("Enter");
-  await sleep(true);
-  await box.fill("0.0213");
-  await box.press("Enter");
-  // Other things go on being computed meanwhile.
-  await page.evaluate(() => /** @type {any} */ (window).__gear.engine.compute("12b", { zeta: 0.0204 }));
-  await sleep(false);
-  expect((await data(page, "12a")).params.zeta).toBe(0.0213);
-  await settled(page, "12a");
-  expect(await page.evaluate(() => /** @type {any} */ (window).__gear.engine.pool.replaced)).toBe(0);
-  // And what moves moves on.
-  await figure(page, "1").scrollIntoViewIfNeeded();
-  await figure(page, "1").evaluate((element) => new Promise((resolve) => element.addEventListener("gear-paint", resolve, { once: true })));
+test.describe("with gears that move", () => {
+  test.use({ moving: true });
+
+  test("a page that was hidden in the middle of things goes on when it is shown again", async ({ page }) => {
+    await page.addInitScript(canSleep);
+    await open(page);
+    await data(page, "12a");
+    const { box } = await control(page, "12a", "zeta");
+    const sleep = (/** @type {boolean} */ sleeps) => page.evaluate((value) => /** @type {any} */ (window).sleep(value), sleeps);
+    await box.fill("0.0211");
+    await box.press("Enter");
+    await sleep(true);
+    await box.fill("0.0213");
+    await box.press("Enter");
+    // Other things go on being computed meanwhile.
+    await page.evaluate(() => /** @type {any} */ (window).__gear.engine.compute("12b", { zeta: 0.0204 }));
+    await sleep(false);
+    expect((await data(page, "12a")).params.zeta).toBe(0.0213);
+    await settled(page, "12a");
+    expect(await page.evaluate(() => /** @type {any} */ (window).__gear.engine.pool.replaced)).toBe(0);
+    // And what moves moves on.
+    await figure(page, "1").scrollIntoViewIfNeeded();
+    await figure(page, "1").evaluate((element) => new Promise((resolve) => element.addEventListener("gear-paint", resolve, { once: true })));
+  });
 });
 
 for (const [address, asked] of /** @type {const} */ ([["", [{}]], ["#v=1&Omega=1.65", [{ Omega: 1.65 }]]])) {

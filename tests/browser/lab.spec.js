@@ -173,12 +173,12 @@ test("a click on the map starts a motion there; the number boxes do the same", a
 test("play lets the mesh frequency creep, the state carried over, until it is stopped", async ({ page }) => {
   await enter(page, "&v=1&preset=11c&omega=1.7");
   await page.getByRole("combobox", { name: "How fast Ω creeps" }).selectOption("slow");
-  await page.getByRole("button", { name: "Play" }).click();
+  await page.locator(".lab .toolbar").getByRole("button", { name: "Play" }).click();
   await expect.poll(async () => Number((await stateOf(page)).point.Omega), { timeout: 20_000, intervals: [50] }).toBeLessThan(1.685);
   await page.locator(".lab .toolbar").getByRole("button", { name: "Stop" }).click();
   const stopped = await stateOf(page);
   expect(Math.abs(Number(stopped.point.u_p0))).toBeGreaterThan(0.05);
-  await expect(page.getByRole("button", { name: "Play" })).toBeVisible();
+  await expect(page.locator(".lab .toolbar").getByRole("button", { name: "Play" })).toBeVisible();
   await expect(sentence(page)).toContainText("stable orbit of period 2T", { timeout: 15_000 });
   expect((await stateOf(page)).point.Omega).toBe(stopped.point.Omega);
   // The whole way is one action.
@@ -287,7 +287,7 @@ test("sound is off until it is asked for, and its volume can be set", async ({ p
 
 test("a link reproduces the laboratory, and German is spoken throughout", async ({ page }) => {
   await enter(page, "&v=1&preset=14a&omega=1.62&u0=1.2&language=de");
-  await expect(page.getByRole("button", { name: "Abspielen" })).toBeVisible();
+  await expect(page.getByRole("group", { name: "Werkzeuge" }).getByRole("button", { name: "Abspielen" })).toBeVisible();
   await expect(flag(page)).toContainText(/Kontakt verloren/, { timeout: 15_000 });
   const { point } = await stateOf(page);
   expect(point).toEqual({ Omega: 1.62, u0: 1.2 });

@@ -32,13 +32,16 @@ const BLOCKED = "Service Worker registration blocked by Playwright";
 /**
  * @typedef {import("@playwright/test").PlaywrightTestArgs & import("@playwright/test").PlaywrightTestOptions} Args
  * @typedef {import("@playwright/test").PlaywrightWorkerArgs & import("@playwright/test").PlaywrightWorkerOptions} WorkerArgs
- * @typedef {{handsOn: boolean}} Options  Whether the reader always has a hand on the page: what is done while nobody does anything
- *   would take the machine from the test beside this one.
+ * @typedef {{handsOn: boolean, moving: boolean}} Options  Whether the reader always has a hand on the page, and whether what moves moves,
+ *   which a reader can ask it not to: gears that turn, and what is done while nobody does anything, would take half the machine
+ *   from the test beside this one.
  */
 
 /** @type {import("@playwright/test").Fixtures<Options, {}, Args, WorkerArgs>} */
 const FIXTURES = {
   handsOn: [true, { option: true }],
+  moving: [false, { option: true }],
+  contextOptions: async ({ moving }, use) => use(moving ? {} : { reducedMotion: "reduce" }),
   page: async ({ page, baseURL, handsOn }, use) => {
     /** @type {string[]} */
     const noise = [];

@@ -60,16 +60,20 @@ test("a figure's address leads to it", async ({ page }) => {
   await expect(page.locator("#fig-12a")).toBeInViewport();
 });
 
-test("nothing jumps while the page comes alive", async ({ page }) => {
-  await page.addInitScript(() => {
-    Object.assign(window, { shift: 0 });
-    new PerformanceObserver((list) => {
-      for (const entry of list.getEntries()) /** @type {any} */ (window).shift += /** @type {any} */ (entry).value;
-    }).observe({ type: "layout-shift", buffered: true });
+test.describe("with gears that move", () => {
+  test.use({ moving: true });
+
+  test("nothing jumps while the page comes alive", async ({ page }) => {
+    await page.addInitScript(() => {
+      Object.assign(window, { shift: 0 });
+      new PerformanceObserver((list) => {
+        for (const entry of list.getEntries()) /** @type {any} */ (window).shift += /** @type {any} */ (entry).value;
+      }).observe({ type: "layout-shift", buffered: true });
+    });
+    await open(page);
+    await expect(page.locator("#fig-1 .panel")).toBeVisible();
+    expect(await page.evaluate(() => /** @type {any} */ (window).shift)).toBeLessThan(0.05);
   });
-  await open(page);
-  await expect(page.locator("#fig-1 .panel")).toBeVisible();
-  expect(await page.evaluate(() => /** @type {any} */ (window).shift)).toBeLessThan(0.05);
 });
 
 for (const width of [320, 360, 768]) {
@@ -138,29 +142,33 @@ test("a theme is chosen in the settings, figures follow, and the choice is kept"
   expect(same).toBe("rgb(20, 23, 27)");
 });
 
-test("question, moving gears and the chart with its handle stand on the first screen, and the gears follow the handle", async ({ page }) => {
-  await page.setViewportSize({ width: 1440, height: 900 });
-  await open(page);
-  await expect(page.getByRole("heading", { level: 1 })).toBeInViewport({ ratio: 1 });
-  for (const id of ["1", "T"]) await expect(figure(page, id).locator("canvas")).toBeInViewport({ ratio: 1 });
-  await expect.poll(async () => (await map(page, "T")).length).toBe(1);
-  const [{ plot, x, y }] = await map(page, "T");
-  const box = await figure(page, "T").locator("canvas").boundingBox();
-  if (box === null) throw new Error("no canvas");
-  const at = (/** @type {number} */ omega, /** @type {number} */ depth) => ({
-    x: box.x + plot.left + ((omega - x.low) / (x.high - x.low)) * (plot.right - plot.left),
-    y: box.y + plot.bottom - ((depth - y.low) / (y.high - y.low)) * (plot.bottom - plot.top),
+test.describe("with gears that move, too", () => {
+  test.use({ moving: true });
+
+  test("question, moving gears and the chart with its handle stand on the first screen, and the gears follow the handle", async ({ page }) => {
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await open(page);
+    await expect(page.getByRole("heading", { level: 1 })).toBeInViewport({ ratio: 1 });
+    for (const id of ["1", "T"]) await expect(figure(page, id).locator("canvas")).toBeInViewport({ ratio: 1 });
+    await expect.poll(async () => (await map(page, "T")).length).toBe(1);
+    const [{ plot, x, y }] = await map(page, "T");
+    const box = await figure(page, "T").locator("canvas").boundingBox();
+    if (box === null) throw new Error("no canvas");
+    const at = (/** @type {number} */ omega, /** @type {number} */ depth) => ({
+      x: box.x + plot.left + ((omega - x.low) / (x.high - x.low)) * (plot.right - plot.left),
+      y: box.y + plot.bottom - ((depth - y.low) / (y.high - y.low)) * (plot.bottom - plot.top),
+    });
+    const [from, to] = [at(1.6, 0.5), at(2.5, 0.3)];
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(to.x, to.y, { steps: 8 });
+    await page.mouse.up();
+    const { Omega, k0 } = (await data(page, "1")).params;
+    expect(Math.abs(Omega - 2.5)).toBeLessThan(0.02);
+    expect(Math.abs(k0 - 0.3)).toBeLessThan(0.01);
+    expect((await data(page, "T")).params).toMatchObject({ Omega, k0 });
+    await expect.poll(() => page.evaluate(() => location.hash)).toBe(`#story&v=1&omega=${Omega}&k0=${k0}`);
   });
-  const [from, to] = [at(1.6, 0.5), at(2.5, 0.3)];
-  await page.mouse.move(from.x, from.y);
-  await page.mouse.down();
-  await page.mouse.move(to.x, to.y, { steps: 8 });
-  await page.mouse.up();
-  const { Omega, k0 } = (await data(page, "1")).params;
-  expect(Math.abs(Omega - 2.5)).toBeLessThan(0.02);
-  expect(Math.abs(k0 - 0.3)).toBeLessThan(0.01);
-  expect((await data(page, "T")).params).toMatchObject({ Omega, k0 });
-  await expect.poll(() => page.evaluate(() => location.hash)).toBe(`#story&v=1&omega=${Omega}&k0=${k0}`);
 });
 
 test("without scripts the static drawings and the whole text stand there", async ({ browser, baseURL }) => {

@@ -2,6 +2,8 @@
 
 import { test, expect } from "./page.js";
 
+test.use({ moving: true });
+
 test("printed as soon as it opens, the page has every figure drawn, in its present state, for white paper", async ({ page }) => {
   await page.goto("./?test#story&v=1&theme=dark&11a.omega=1.6&3.k0=0.4");
   await page.waitForFunction(() => performance.getEntriesByName("first-figure").length > 0);

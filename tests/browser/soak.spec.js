@@ -6,6 +6,8 @@ import { expect, open, test } from "./page.js";
 import { held, threads } from "./memory.js";
 import { random } from "../node/random.mjs";
 
+test.use({ moving: true });
+
 /** @typedef {import("@playwright/test").Page} Page */
 /** @typedef {import("../node/random.mjs").Choose} Choose */
 

@@ -2,6 +2,8 @@
 
 import { data, expect, figure, map, open, settled, test } from "./page.js";
 
+test.use({ moving: true });
+
 /** @typedef {import("@playwright/test").Page} Page */
 
 /** @param {Page} page */
@@ -89,7 +91,8 @@ test("figure 1 moves, pauses by button and by the space bar, and stands while ou
 });
 
 test.describe("with reduced motion", () => {
-  test.use({ contextOptions: { reducedMotion: "reduce" } });
+  test.use({ moving: false });
+
   test("figure 1 stands still until it is asked to move", async ({ page }) => {
     await open(page);
     await settled(page, "1");
