@@ -12,8 +12,16 @@
 
 /**
  * @template S
- * @typedef {{entries: readonly Entry<S>[], at: number, next: number}} History  `next`: the id of the next entry.
+ * @typedef {object} History
+ * @property {readonly Entry<S>[]} entries
+ * @property {number} at  Where in it we are.
+ * @property {number} first  The oldest that can be gone back to: those before it keep their places, so that a place means the same for
+ *   ever, but not what they were.
+ * @property {number} next  The id of the next entry.
  */
+
+/** So many actions can be undone: more would only fill the memory of a page that is left open for days. */
+export const MOST = 1000;
 
 /** Actions of a kind that follow each other within this time are one, ms. */
 const CLOSE = 1000;
@@ -24,7 +32,7 @@ const CLOSE = 1000;
  * @returns {History<S>}
  */
 export function begin(state) {
-  return { entries: [{ id: 0, name: "", state, merge: null, time: 0 }], at: 0, next: 1 };
+  return { entries: [{ id: 0, name: "", state, merge: null, time: 0 }], at: 0, first: 0, next: 1 };
 }
 
 /**
@@ -36,13 +44,27 @@ export function begin(state) {
  * @param {boolean} held  Whether whatever acts is still held: then closeness in time does not matter.
  * @returns {History<S>}
  */
-export function record({ entries, at, next }, entry, held) {
+export function record({ entries, at, first, next }, entry, held) {
   const last = entries[at];
   const newest = at === entries.length - 1;
   const joins = newest && entry.merge !== null && entry.merge === last.merge && (held || entry.time - last.time < CLOSE);
   const kept = entries.slice(0, joins ? at : at + 1);
   const id = joins ? last.id : next;
-  return { entries: [...kept, { ...entry, id }], at: kept.length, next: joins ? next : next + 1 };
+  return forgetful({ entries: [...kept, { ...entry, id }], at: kept.length, first, next: joins ? next : next + 1 });
+}
+
+/**
+ * The same with no more to be undone than may be.
+ *
+ * @template S
+ * @param {History<S>} history
+ * @returns {History<S>}
+ */
+function forgetful(history) {
+  const { entries, at, first } = history;
+  if (at - first <= MOST) return history;
+  // The very first stands in all the places that are given up.
+  return { ...history, entries: replaced(entries, first, entries[0]), first: first + 1 };
 }
 
 /**
@@ -84,7 +106,7 @@ export function redone(history) {
  * @returns {History<S>}
  */
 export function moved(history, at) {
-  const place = Math.min(history.entries.length - 1, Math.max(0, at));
+  const place = Math.min(history.entries.length - 1, Math.max(history.first, at));
   return place === history.at ? history : settled({ ...history, at: place });
 }
 

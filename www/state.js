@@ -264,7 +264,7 @@ export class Store {
 
   /** Whether there is something to undo. */
   get undoable() {
-    return this.#history.at > 0;
+    return this.#history.at > this.#history.first;
   }
 
   get redoable() {

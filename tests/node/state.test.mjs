@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { MOST } from "../../www/history.js";
 import { PRESETS, presetGiven } from "../../www/presets.js";
 import { INITIAL, Store, figureOf, givenOf, pointOf, withFigure, withPoint, withPreset } from "../../www/state.js";
 import { random } from "./random.mjs";
@@ -51,6 +52,24 @@ test("any sequence of actions, undone, gives the first state; redone, the last",
     assert.equal(store.state, last, `seed ${seed}`);
     assert.equal(new Set(store.history.entries.map(({ id }) => id)).size, store.history.entries.length);
   }
+});
+
+test("a thousand actions can be undone, and of those before nothing is kept", () => {
+  const store = new Store();
+  const states = [store.state];
+  for (let step = 1; step <= 3 * MOST; step += 1) {
+    store.act("act.parameter", (state) => withPoint(state, { Omega: step / 1000 }));
+    states.push(store.state);
+  }
+  assert.equal(new Set(store.history.entries.map(({ state }) => state)).size, MOST + 2);
+  for (let step = 0; step < MOST; step += 1) store.undo();
+  assert.equal(store.undoable, false);
+  assert.equal(store.state, states[2 * MOST]);
+  store.undo();
+  store.goTo(5);
+  assert.equal(store.state, states[2 * MOST], "there is nothing before");
+  for (let step = 0; step < MOST; step += 1) store.redo();
+  assert.equal(store.state, states[3 * MOST]);
 });
 
 test("what is held is one action, however long it takes; what follows quickly and is alike is one as well", () => {

@@ -87,8 +87,8 @@ class AddressBar {
     this.#waiting = undefined;
     if (this.#travelling !== undefined) return;
     this.#last = performance.now();
-    const { entries, at } = this.#store.history;
-    const mismatch = entries.findIndex(({ id }, index) => this.#written[index] !== id);
+    const { entries, at, first } = this.#store.history;
+    const mismatch = entries.findIndex(({ id }, index) => index >= first && this.#written[index] !== id);
     const common = mismatch < 0 ? entries.length : mismatch;
     if (common > at) {
       if (this.#where === at) this.#put("replaceState", this.#hash());
