@@ -22,24 +22,26 @@ import { createPanel } from "../controls/panel.js";
 import { spoken, spokenFigure } from "../words/engine.js";
 import { decimalSign, onLanguage, say } from "../words/say.js";
 import { withHandleAt } from "./ahead.js";
-import { coarseDensity, density, onAppearance, resolveTheme, wantsStill } from "./appearance.js";
+import { density, onAppearance, resolveTheme, wantsStill } from "./appearance.js";
 import { Approach } from "./approach.js";
 import { askInFrame, askNoMore, asksInFrame } from "./asking.js";
 import { givenByAttributes } from "./attributes.js";
 import { createButtons, wholeButton } from "./bar.js";
 import { Computation } from "./computation.js";
 import { fieldsOf, unknownFigure } from "./errors.js";
+import { Fineness } from "./fineness.js";
 import { frameAt, pixelUnder } from "./frames.js";
 import { Legend, hiddenSeries } from "./legend.js";
-import { plain, sentence } from "./markup.js";
+import { plain } from "./markup.js";
 import { Clock } from "./motion.js";
-import { PATIENCE, hurry, paperWords } from "./paper.js";
+import { PATIENCE, paperWords } from "./paper.js";
 import { forgetPaint, requestPaint } from "./paint-queue.js";
 import { Reach } from "./reach.js";
 import { showRows } from "./rows.js";
-import { isScrolling, whenStill } from "./scroll.js";
 import { services } from "./services.js";
 import { furnish } from "./shadow.js";
+import { Status } from "./status.js";
+import { aspectOf, holdBack, hurry } from "./still.js";
 import { showTables } from "./table.js";
 import { inTurn, isHeldBack } from "./turn.js";
 import { FIRST, Turning } from "./turning.js";
@@ -50,12 +52,8 @@ import { sound } from "./windows.js";
 const NOTICEABLE = 400;
 /** A canvas narrower than this is not on the page in earnest, CSS pixels. */
 const NARROWEST = 60;
-/** A live drawing that comes within this time needs no static one before it, ms. */
-const STATIC_AFTER = 600;
 /** How wide a picture is of a figure that has no place on the page at present, CSS pixels. */
 const USUAL_WIDTH = 720;
-/** What has been out of sight for so long has been left, ms. */
-const LEFT = 200;
 /** How far out of sight a figure still counts as seen. */
 const MARGIN = "300px";
 
@@ -66,6 +64,7 @@ const UNCHANGED = Object.freeze({ given: {}, windows: {}, hidden: [], view: null
 
 export class GearFigure extends HTMLElement {
   #parts = furnish(this.attachShadow({ mode: "open" }));
+  #status = new Status(this.#parts.status);
   /** Where the page's state keeps the parameters. */
   #key = "";
   /** @type {Services | null} */
@@ -99,8 +98,6 @@ export class GearFigure extends HTMLElement {
   #approach = new Approach();
   /** What the attributes gave: to this a reset returns. @type {Given} */
   #start = {};
-  /** Sentences about attributes that were left out: they stay as long as the attributes do. */
-  #leftOut = "";
   /** The parameter beside which an answer of the engine complains. @type {string | null} */
   #blamed = null;
   #questions = 0;
@@ -123,26 +120,15 @@ export class GearFigure extends HTMLElement {
       else if (this.#computation?.busy && this.inSight) this.#leadHandle();
     },
   };
-  /** Whether what is drawn has yet to be drawn as finely as it should be: what was never drawn is worth no fine picture while it passes by. */
-  coarse = true;
-  /** Draws finely what was drawn coarsely while it was not seen, or not for long. */
-  #refine = async () => {
-    const [figure, engine] = [this.#figure, this.#services?.engine];
-    if (!this.coarse || !this.inSight || figure === null || engine === undefined) return;
-    // What moves is drawn for its moment.
-    if (figure.motion === null) await engine.drawAside(figure, this.#wanted(this.#viewOf(figure), density()));
-    this.#repaint();
-  };
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #leaving;
-  /**
-   * Draws coarsely what has been left behind. A browser without a graphics processor copies all canvases that are not far whenever it
-   * paints another stretch of the page, and fine ones take four times as long and as much memory.
-   */
-  #coarsen = () => whenStill(this.#coarsenNow);
-  #coarsenNow = () => {
-    if (!this.coarse && !this.inSight && coarseDensity() < density()) this.#repaint();
-  };
+  #fineness = new Fineness({
+    inSight: () => this.inSight,
+    drawn: () => this.#figure !== null,
+    prepare: async () => {
+      // What moves is drawn for its moment.
+      if (this.#figure?.motion === null) await this.#services?.engine.drawAside(this.#figure, this.#wanted(this.#viewOf(this.#figure), density()));
+    },
+    repaint: () => this.#repaint(),
+  });
   #life = new AbortController();
   /** When its turn has come. @type {Promise<void>} */
   #begun = Promise.resolve();
@@ -226,7 +212,7 @@ export class GearFigure extends HTMLElement {
     this.#computation?.stop();
     this.#clock?.pause();
     clearTimeout(this.#notice);
-    clearTimeout(this.#leaving);
+    this.#fineness.end();
     askNoMore(this.#asker);
     forgetPaint(this);
   }
@@ -268,24 +254,18 @@ export class GearFigure extends HTMLElement {
    * @param {boolean} [wrong]
    */
   tell(sentence, wrong = false) {
-    const { status, heard } = this.#parts;
-    this.#say("", wrong);
-    // As it stands: a name of a file is no formula.
-    status.append(sentence);
-    status.classList.add("told");
-    if (this.hasAttribute("fit")) heard.textContent = sentence;
-    const life = new AbortController();
-    const over = () => {
-      life.abort();
-      status.classList.remove("told");
-      this.#say(this.#figure?.notes.join(" ") ?? "");
-    };
-    for (const act of ["pointerdown", "keydown"]) addEventListener(act, over, { capture: true, signal: life.signal });
+    if (this.hasAttribute("fit")) this.#parts.heard.textContent = sentence;
+    this.#status.sayForNow(sentence, wrong, () => this.#figure?.notes.join(" ") ?? "");
   }
 
   /** What is drawn at present, complete or not; null before the first. */
   get shown() {
     return this.#figure;
+  }
+
+  /** Whether what is drawn is coarse, and waits to be drawn finely. */
+  get coarse() {
+    return this.#fineness.coarse;
   }
 
   /** The map between pixels and data of each frame of the last drawing; null before the first. */
@@ -340,12 +320,8 @@ export class GearFigure extends HTMLElement {
     const { hidden } = this.#shown;
     const view = this.#viewOf(this.#figure);
     this.#hidden = new Set(view.hidden);
-    // What is out of sight need not be fine yet: that makes room for what is seen, and a screenful of canvases that comes near
-    // at once costs the browser a quarter. On paper all is seen.
-    const fine = this.#theme === "print" || this.#services.engine.drawn(this.#figure) || (this.inSight && (!this.coarse || !isScrolling()));
-    const pixels = fine ? density() : coarseDensity();
-    this.coarse = pixels < density();
-    if (this.coarse && this.inSight) whenStill(this.#refine);
+    // On paper all is seen.
+    const pixels = this.#fineness.next(this.#theme === "print" || this.#services.engine.drawn(this.#figure));
     const { width, height, ...options } = this.#wanted(view, pixels);
     fitStore(canvas, width, height);
     try {
@@ -359,7 +335,7 @@ export class GearFigure extends HTMLElement {
     this.#whole.hidden = !this.#reach.zoomed;
     this.#reach.painted();
     this.dispatchEvent(new Event("gear-paint"));
-    if (stage.classList.contains("live")) return;
+    if (this.#isLive) return;
     stage.classList.add("live");
     this.#services.painted(this);
     this.#services.later(() => this.#buildPanel());
@@ -368,32 +344,16 @@ export class GearFigure extends HTMLElement {
   /** Before anything is known of the figure, its static drawing says how much room it takes. */
   #reservePlace() {
     const picture = this.querySelector("img");
-    const [width, height] = [Number(picture?.getAttribute("width")), Number(picture?.getAttribute("height"))];
-    if (width > 0 && height > 0) this.#parts.stage.style.setProperty("--aspect", String(width / height));
+    const aspect = aspectOf(picture);
+    if (aspect !== null) this.#parts.stage.style.setProperty("--aspect", String(aspect));
     this.#parts.canvas.setAttribute("aria-label", this.#title ?? picture?.alt ?? "");
     this.#parts.described.textContent = picture?.alt ?? "";
-    if (picture !== null) this.#holdBack(picture);
+    if (picture !== null) holdBack(picture, () => this.#isLive);
   }
 
-  /**
-   * A static drawing still on its way waits a little: reading and laying it out twice takes the time in which the live
-   * one is made.
-   *
-   * @param {HTMLImageElement} picture
-   */
-  #holdBack(picture) {
-    const address = picture.getAttribute("src");
-    if (picture.complete && picture.naturalWidth > 0) return;
-    if (address === null || this.#parts.stage.classList.contains("live")) return;
-    picture.removeAttribute("src");
-    // Nor the sign of a picture that is missing: none is.
-    picture.style.visibility = "hidden";
-    const show = () => {
-      picture.style.removeProperty("visibility");
-      if (!this.#parts.stage.classList.contains("live")) picture.setAttribute("src", address);
-    };
-    setTimeout(show, STATIC_AFTER);
-    addEventListener("beforeprint", show, { once: true });
+  /** Whether a live drawing stands in its place. */
+  get #isLive() {
+    return this.#parts.stage.classList.contains("live");
   }
 
   /** What is not computed yet is computed now as far as it comes; what is not all of it says so. */
@@ -409,7 +369,7 @@ export class GearFigure extends HTMLElement {
         this.paint();
       }
     }
-    const live = this.#parts.stage.classList.contains("live");
+    const live = this.#isLive;
     if (!live) hurry(this.querySelector("img"));
     this.#parts.printed.textContent = paperWords(this.#given, this.#info, !live ? "still" : whole ? "whole" : "part");
   }
@@ -446,7 +406,7 @@ export class GearFigure extends HTMLElement {
           signal: ended,
           partial,
           priority: this.inSight ? priority.shown : priority.hidden,
-          restarted: () => this.#say(say("figure.replaced")),
+          restarted: () => this.#status.say(say("figure.replaced")),
           picture: this.#pictureAhead(),
           held: coming?.over ?? null,
         });
@@ -612,7 +572,7 @@ export class GearFigure extends HTMLElement {
     if (this.#services === null || this.#info === null) return;
     const { engine, store } = this.#services;
     const { given, problems } = givenByAttributes(this.attributes, engine.vocabulary);
-    this.#leftOut = problems.map(({ message }) => message).join(" ");
+    this.#status.leftOut = problems.map(({ message }) => message).join(" ");
     if (this.#questions === 0 || !sameGiven(given, this.#start)) {
       this.#start = given;
       // What was given before the figure came, by the page's address, counts more than its attributes.
@@ -669,7 +629,7 @@ export class GearFigure extends HTMLElement {
   #noticeLater() {
     clearTimeout(this.#notice);
     this.#notice = setTimeout(() => {
-      this.#say(say("figure.computing"));
+      this.#status.say(say("figure.computing"));
       this.#showBusy(true);
       if (this.#ahead !== null) this.#leadHandle(true);
     }, NOTICEABLE);
@@ -725,7 +685,7 @@ export class GearFigure extends HTMLElement {
     if (this.#blamed !== null) this.#panel?.complain(this.#blamed, null);
     this.#blamed = null;
     this.#parts.described.textContent = plain(figure.summary);
-    this.#say(figure.notes.join(" "));
+    this.#status.say(figure.notes.join(" "));
     this.#tabulate();
     // Twenty figures that all speak when the page opens are noise; one that answers its reader is not.
     // Where it is one of several that answer together, whoever put them there speaks for all.
@@ -744,21 +704,10 @@ export class GearFigure extends HTMLElement {
     if (fields.parameter !== null && this.#panel?.complain(fields.parameter, spoken(fields.message))) {
       this.#blamed = fields.parameter;
     }
-    this.#say(this.#leftOut.includes(fields.message) ? "" : spoken(fields.message), true);
+    this.#status.say(this.#status.leftOut.includes(fields.message) ? "" : spoken(fields.message), true);
     // What is wrong must be mendable, drawing or not.
     this.#services?.later(() => this.#buildPanel());
     this.#tell("gear-error", fields);
-  }
-
-  /**
-   * @param {string} text
-   * @param {boolean} [wrong]
-   */
-  #say(text, wrong = false) {
-    const { status } = this.#parts;
-    status.replaceChildren(sentence(text));
-    if (this.#leftOut !== "") status.prepend(`${this.#leftOut} `);
-    status.classList.toggle("wrong", wrong || this.#leftOut !== "");
   }
 
   /** The reader has seen enough: what there is stays, until something else is asked for. */
@@ -766,7 +715,7 @@ export class GearFigure extends HTMLElement {
     clearTimeout(this.#notice);
     this.#showBusy(false);
     this.#computation?.refuse(new Error(say("figure.stopped")));
-    this.#say(say("figure.stopped"));
+    this.#status.say(say("figure.stopped"));
   }
 
   /** Says everything anew in another language. */
@@ -789,7 +738,7 @@ export class GearFigure extends HTMLElement {
     this.#speakAnew();
     const busy = this.#computation?.busy === true && !this.#approach.awaited;
     this.#showBusy(busy);
-    this.#say(busy ? say("figure.computing") : this.#figure.notes.join(" "));
+    this.#status.say(busy ? say("figure.computing") : this.#figure.notes.join(" "));
     this.#tabulate();
     this.#repaint();
   }
@@ -803,9 +752,7 @@ export class GearFigure extends HTMLElement {
     this.inSight = inSight;
     if (inSight && this.#postponed) this.#ask();
     if (inSight && this.#computation?.busy) this.#repaint();
-    if (inSight && this.coarse) whenStill(this.#refine);
-    clearTimeout(this.#leaving);
-    if (!inSight && !this.coarse) this.#leaving = setTimeout(this.#coarsen, LEFT);
+    this.#fineness.see(inSight);
     if (this.#clock) this.#clock.seen = inSight;
   }
 

@@ -29,8 +29,3 @@ export function paperWords(given, info, drawn) {
   const at = said.length === 0 ? "" : say("paper.at", { values: said.join(", ") });
   return drawn === "whole" ? at : `${at} ${say("paper.part")}`;
 }
-
-/** A still drawing that waits to come near the screen would never come onto paper. @param {HTMLImageElement | null} picture */
-export function hurry(picture) {
-  if (picture !== null) picture.loading = "eager";
-}
