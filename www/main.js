@@ -74,12 +74,12 @@ services.then(() => (all === 0 ? complete() : setTimeout(complete, OPENING)), se
 // A story that is not shown at first is laid out piece by piece when it is.
 if (view !== "story" && ANCHORS) document.documentElement.dataset.opening = "";
 
-/** To be called when the story's heights are about to change. @type {(() => void) | null} */
-let measureStory = null;
+/** To be called when all of the story is about to look otherwise: it is styled and laid out piece by piece then. @type {(() => void) | null} */
+let restStory = null;
 
 /** Lays out what `figure/hold-back.js` has kept back and no figure has brought yet. */
 function settle() {
-  measureStory ??= letFarSectionsRest(element('main > [data-view="story"]'));
+  restStory ??= letFarSectionsRest(element('main > [data-view="story"]'));
 }
 
 function complete() {
@@ -344,7 +344,7 @@ async function chooseLanguage(chosen) {
   speak(chosen, words);
   document.documentElement.lang = chosen;
   translate(document, words);
-  measureStory?.();
+  restStory?.();
 }
 
 store.subscribe((state, before) => {
@@ -353,8 +353,10 @@ store.subscribe((state, before) => {
     showView();
     scrollTo(0, places.get(state.view) ?? 0);
   }
-  if (state.theme !== before.theme || state.projector !== before.projector) showAppearance();
-  if (state.projector !== before.projector) measureStory?.();
+  if (state.theme !== before.theme || state.projector !== before.projector) {
+    restStory?.();
+    showAppearance();
+  }
   if (state.theme !== before.theme) remember({ theme: state.theme });
   if (state.language !== before.language) {
     remember({ language: state.language });

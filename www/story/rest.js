@@ -17,7 +17,7 @@ const NEAR = "100% 0px";
 
 /**
  * @param {HTMLElement} host  The story.
- * @returns {() => void} to be called when its heights are about to change: not for its width, which is seen
+ * @returns {() => void} to be called when all of it is about to look otherwise: not for its width, which is seen
  */
 export function letFarSectionsRest(host) {
   if (!ANCHORS) {
