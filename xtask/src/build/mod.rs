@@ -79,14 +79,19 @@ pub fn build(out: &Path) -> Result<Built, Failure> {
     make(&Wanted { out, figures: &[], keep_wasm: false })
 }
 
+/// Compiles the wasm.
+pub fn compile() -> Result<(), Failure> {
+    tools::ensure_wasm_target()?;
+    let mut compile =
+        cargo(&["build", "--quiet", "--release", "--lib", "--target", "wasm32-unknown-unknown"]);
+    run(compile.args(without_home()))
+}
+
 /// Builds what is wanted.
 pub fn make(wanted: &Wanted<'_>) -> Result<Built, Failure> {
     let start = Instant::now();
     if !wanted.keep_wasm {
-        tools::ensure_wasm_target()?;
-        let mut compile =
-            cargo(&["build", "--quiet", "--release", "--lib", "--target", "wasm32-unknown-unknown"]);
-        run(compile.args(without_home()))?;
+        compile()?;
     }
     let generated = bindings::generate(&tools::wasm_artifact(), &place::scratch().join("bindings"))?;
     let gzipped = weight::gzipped(&generated.wasm).len();

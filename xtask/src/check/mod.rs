@@ -9,15 +9,28 @@ use count::Count;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::thread::ScopedJoinHandle;
 use std::time::Instant;
 
 /// The page must work from any path: the browser sees it under this one.
 const SUB_PATH: &str = "/some/where/";
 
+/// The step that needs the wasm, and all after it.
+const BUILD: &str = "build, and the size of the wasm";
+
 /// Runs the steps, stops at the first that fails, and ends with a line of counts.
 pub fn check(options: &Options) -> Result<(), Failure> {
     let mut run = Run { count: Count::default(), only: options.value("--only").map(str::to_owned) };
-    let outcome = steps(&mut run, options.flag("--quick"));
+    let quick = options.flag("--quick");
+    // The wasm is optimised as a whole, by one core: the other has what needs no wasm meanwhile.
+    let outcome = std::thread::scope(|scope| {
+        // Before two ask for it at once.
+        tools::ensure_wasm_target()?;
+        let wasm = run.wants(BUILD).then(|| scope.spawn(build::compile));
+        before_wasm(&mut run, quick)?;
+        run.step(BUILD, |_| wasm.map_or(Ok(()), joined).and_then(|()| built()))?;
+        with_wasm(&mut run, quick)
+    });
     if let Err(failure) = &outcome {
         println!("stopped: {failure}");
         // A step that is no test, such as a lint: its failure is one all the same.
@@ -27,7 +40,18 @@ pub fn check(options: &Options) -> Result<(), Failure> {
     outcome.map_err(|_| Failure::Told)
 }
 
-fn steps(check: &mut Run, quick: bool) -> Result<(), Failure> {
+/// What a thread came to that cannot have panicked but by a fault of its own.
+fn joined(thread: ScopedJoinHandle<'_, Result<(), Failure>>) -> Result<(), Failure> {
+    thread.join().unwrap_or_else(|_| Err(Failure::invalid(BUILD, "the thread that compiles it panicked")))
+}
+
+/// Builds around the wasm that has been compiled.
+fn built() -> Result<(), Failure> {
+    let out = place::root().join("dist");
+    build::make(&build::Wanted { out: &out, figures: &[], keep_wasm: true }).map(|built| built.report())
+}
+
+fn before_wasm(check: &mut Run, quick: bool) -> Result<(), Failure> {
     check.step("formatting", |_| run(&mut cargo(&["fmt", "--all", "--check"])))?;
     check.step("sources and terms of what is not ours", |_| supply::check())?;
     check.step("lints", |_| {
@@ -48,9 +72,10 @@ fn steps(check: &mut Run, quick: bool) -> Result<(), Failure> {
             run(cargo(&["doc", "--quiet", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings"))
         })?;
     }
-    check.step("build, and the size of the wasm", |_| {
-        build::build(&place::root().join("dist")).map(|built| built.report())
-    })?;
+    Ok(())
+}
+
+fn with_wasm(check: &mut Run, quick: bool) -> Result<(), Failure> {
     check.step("npm packages", |_| tools::ensure_node_packages())?;
     check.step("types of the JavaScript", |_| {
         run(&mut program("npx", &["--no-install", "tsc", "--checkJs", "--strict", "--project", "."]))
@@ -83,13 +108,17 @@ struct Run {
 }
 
 impl Run {
+    fn wants(&self, name: &str) -> bool {
+        self.only.as_ref().is_none_or(|word| name.contains(word))
+    }
+
     /// Runs one step, saying its name before and its time after.
     fn step(
         &mut self,
         name: &str,
         work: impl FnOnce(&mut Count) -> Result<(), Failure>,
     ) -> Result<(), Failure> {
-        if self.only.as_ref().is_some_and(|word| !name.contains(word)) {
+        if !self.wants(name) {
             return Ok(());
         }
         println!("== {name}");
