@@ -9,6 +9,7 @@ pub mod contact;
 pub mod diagram;
 pub mod edge_function;
 pub mod family;
+mod gap;
 pub mod grid;
 pub mod linear_floquet;
 pub mod load_path;

@@ -30,7 +30,8 @@ pub struct Multipliers {
     pub im: [f64; 6],
     /// Largest modulus.
     pub spectral_radius: f64,
-    /// All moduli are below 1 by more than the error of the answer, or, undamped, none above 1 by more.
+    /// All moduli are below 1 by more than the error of the answer, or, undamped, none above 1 by more; of a response
+    /// inside the tooth gap all but the one of a displacement of u.
     pub stable: bool,
     /// The periodic state at t = 0 that they are about.
     pub state: [f64; 6],

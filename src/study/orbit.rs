@@ -1,13 +1,14 @@
 //! Periodic orbits, as fixed points of the stroboscopic map found by Newton's method with its exact derivative.
 
 use super::ErrorEstimate;
+use super::gap::{is_family, keeps_displacement};
 use super::load_path::{loaded, through_folds};
 use super::motion::{self, ORDER_20};
 use super::multipliers::{Budget, common_period, image, image_between, is_stable, trivial_state, unloaded};
 use super::poincare::Strobe;
 use super::time_response::largest_difference;
 use crate::error::{NumericsError, StudyError};
-use crate::model::equations::{DIVERGED, GearPair};
+use crate::model::equations::{DIVERGED, GearPair, U};
 use crate::model::manifold;
 use crate::model::parameters::{Parameters, Regime};
 use crate::numerics::floquet::{self, Matrix6};
@@ -48,7 +49,7 @@ pub struct PeriodicOrbit {
     pub re: [f64; 6],
     /// Imaginary parts.
     pub im: [f64; 6],
-    /// All multipliers inside the unit circle (undamped: on it).
+    /// All multipliers inside the unit circle (undamped: on it; inside the tooth gap: but for the one of a displacement of u).
     pub stable: bool,
     /// Least value of each coordinate over the orbit.
     pub min: [f64; 6],
@@ -141,9 +142,13 @@ fn solve(
     let equal = p.symmetric().is_ok() && manifold::holds(&guess);
     let exactly = |state: &[f64; 6]| if equal { manifold::onto_manifold(state) } else { *state };
     let single = fixed_point(guess, bounds, |state| {
-        let image = image(&pair, &exactly(state), options.period, options.tolerance, 1.0, budget);
-        if let Ok((_, derivative)) = &image {
+        let mut image = image(&pair, &exactly(state), options.period, options.tolerance, 1.0, budget);
+        if let Ok((_, derivative)) = &mut image {
             steepest = derivative.iter().flatten().fold(steepest, |most, entry| most.max(entry.abs()));
+            // Of a continuous family that one is found whose u the motion itself comes to.
+            if keeps_displacement(derivative) {
+                derivative[U] = [0.0; 6];
+            }
         }
         image
     });
@@ -440,11 +445,12 @@ fn describe(p: &Parameters, found: Found, options: &OrbitOptions) -> Result<Peri
     } else {
         format!("multiple shooting in {shots} parts, variational Taylor series")
     };
+    let one_of_many = is_family(p, [min[U], max[U]], spectrum.re[1].hypot(spectrum.im[1]));
     Ok(PeriodicOrbit {
         state,
         re: spectrum.re,
         im: spectrum.im,
-        stable: is_stable(&spectrum, pair.trace(), step),
+        stable: one_of_many || is_stable(&spectrum, pair.trace(), step),
         min,
         max,
         period,
