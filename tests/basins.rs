@@ -143,3 +143,62 @@ fn slow_attractors_are_orbits_all_the_same_and_leave_nothing_undecided() {
         assert!(undecided < 8, "{undecided}");
     }
 }
+
+/// Whether a motion comes to rest somewhere in the tooth gap, followed for long; none where it escapes.
+fn rests_in_gap(p: &Parameters, start: [f64; 6]) -> Option<bool> {
+    let mut strobe = Strobe::new(p, start, 1e-9).expect("allowed");
+    for _ in 0..1500 {
+        strobe.next().expect("integrates")?;
+    }
+    let state = strobe.state();
+    Some(
+        state
+            .iter()
+            .enumerate()
+            .all(|(index, value)| value.abs() < if index == 2 { 1.0 + 1e-9 } else { 1e-6 }),
+    )
+}
+
+#[test]
+fn all_rests_in_the_tooth_gap_are_one_attractor() {
+    let p = Parameters { regime: Regime::Backlash, ..numbers(&[]) };
+    // Starts on both sides of the middle, also one that rests from the beginning, at the very edge of the gap.
+    let options = BasinOptions::new(&p, even(3.0, 13), even(4.0, 13));
+    let found = basin(&p, &options).expect("computes");
+    assert_eq!(found.attractors.len(), 1, "{:?}", found.attractors.len());
+    let rest = &found.attractors[0];
+    assert_eq!(rest.kind, AttractorKind::Gap { period: 1 });
+    assert!(rest.is_rest_in_gap() && rest.state.iter().all(|value| value.abs() < 1e-9), "{rest:?}");
+    let moduli: Vec<f64> = rest.re.iter().zip(rest.im).map(|(re, im)| re.hypot(im)).collect();
+    assert!((moduli[0] - 1.0).abs() < 1e-12 && moduli[1] < 0.93, "{moduli:?}");
+    assert!(found.attractor.contains(&ESCAPED));
+    for (cell, &answer) in found.attractor.iter().enumerate() {
+        let (x, y) = (options.x.value(cell % 13), options.y.value(cell / 13));
+        let expected = match rests_in_gap(&p, [x, -x, 1.0, y, -y, 0.0]) {
+            None => ESCAPED,
+            Some(true) => 0,
+            Some(false) => UNDECIDED,
+        };
+        assert_eq!(answer, expected, "from {x}, {y}");
+    }
+    let shares =
+        [0, 1].map(|share| basin(&p, &BasinOptions { share: (share, 2), ..options }).expect("computes"));
+    assert!(shares.iter().all(|share| share.attractors == found.attractors));
+}
+
+#[test]
+fn motions_inside_the_gap_are_one_attractor_under_a_load_that_alternates_too() {
+    let p = Parameters { regime: Regime::Backlash, error: 0.1, ..numbers(&[]) };
+    let found = basin(&p, &BasinOptions::new(&p, even(1.0, 6), even(1.0, 6))).expect("computes");
+    assert_eq!(found.attractors.len(), 1, "{:?}", found.attractors.len());
+    assert_eq!(found.attractors[0].kind, AttractorKind::Gap { period: 1 });
+    assert!(!found.attractors[0].is_rest_in_gap());
+    assert!(found.attractor.iter().all(|index| *index == 0), "{:?}", found.attractor);
+}
+
+#[test]
+fn undamped_there_is_no_family_in_the_gap() {
+    let p = Parameters { regime: Regime::Backlash, ..numbers(&[("zeta", 0.0), ("zeta_s", 0.0)]) };
+    let found = basin(&p, &BasinOptions::new(&p, even(1.0, 4), even(1.0, 4))).expect("computes");
+    assert!(found.attractors.iter().all(|attractor| !matches!(attractor.kind, AttractorKind::Gap { .. })));
+}

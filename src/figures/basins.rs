@@ -45,7 +45,7 @@ impl Basins {
             .enumerate()
             .flat_map(|(index, attractor)| {
                 let phases = match attractor.kind {
-                    AttractorKind::Orbit { period } => period.min(64),
+                    AttractorKind::Orbit { period } | AttractorKind::Gap { period } => period.min(64),
                     AttractorKind::Torus => 1,
                 };
                 (0..phases).map(move |phase| (i32::try_from(index).unwrap_or(i32::MAX), phase as u8))
@@ -93,7 +93,7 @@ impl Basins {
             };
             let name = format!("attractor {} point {}", index + 1, phase + 1);
             match attractor.kind {
-                AttractorKind::Orbit { period } => {
+                AttractorKind::Orbit { period } | AttractorKind::Gap { period } => {
                     let Some(state) = attractor.points.get(usize::from(phase)) else { continue };
                     let meaning = format!("point {} of a stable motion of period {period}T", phase + 1);
                     let label = format!(
@@ -144,7 +144,9 @@ impl Basins {
             .map(|(index, attractor)| {
                 let share = Self::share(basin, |found| usize::try_from(found) == Ok(index));
                 let kind = match attractor.kind {
-                    AttractorKind::Orbit { period } => format!("a motion of period {period}T"),
+                    AttractorKind::Orbit { period } | AttractorKind::Gap { period } => {
+                        format!("a motion of period {period}T")
+                    }
                     AttractorKind::Torus => "a motion that never repeats".to_owned(),
                 };
                 format!("{} per cent go to {kind}", number(share, 3))

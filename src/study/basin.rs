@@ -3,7 +3,8 @@
 //! The attractors are looked for first, from a few starts spread over the plane, always the same ones, so that several
 //! workers who each do a share of the plane number them alike. A start is then followed until it is in a neighbourhood
 //! of an attracting orbit that its map is known to contract ([`crate::numerics::contraction`]), near the points of an
-//! attractor that never repeats, or beyond the bounds of escape. Cells are done from coarse to fine.
+//! attractor that never repeats, certain to stay inside the tooth gap, or beyond the bounds of escape. Cells are done
+//! from coarse to fine.
 
 use super::ErrorEstimate;
 use super::grid::Grid;
@@ -283,8 +284,15 @@ impl BasinWork {
                 Carried::Failed => Some((UNDECIDED, 0)),
                 Carried::On => {
                     let arrival = &mut cell.arrival;
-                    attractor::arrived(&self.known, &cell.state, cell.periods, self.common, arrival)
-                        .map(|(attractor, phase)| (number(attractor), phase))
+                    attractor::arrived(
+                        &self.pair.parameters,
+                        &self.known,
+                        &cell.state,
+                        cell.periods,
+                        self.common,
+                        arrival,
+                    )
+                    .map(|(attractor, phase)| (number(attractor), phase))
                 }
             };
             match verdict {

@@ -245,7 +245,7 @@ pub fn basin(params: &JsValue, options: &JsValue) -> Result<JsValue, JsValue> {
 
 fn attractor_record(attractor: &Attractor) -> Record {
     let (kind, period) = match attractor.kind {
-        AttractorKind::Orbit { period } => ("orbit", Some(period as f64)),
+        AttractorKind::Orbit { period } | AttractorKind::Gap { period } => ("orbit", Some(period as f64)),
         AttractorKind::Torus => ("torus", None),
     };
     let record = Record::new()

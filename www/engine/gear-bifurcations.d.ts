@@ -263,6 +263,7 @@ export interface PeriodicOrbit extends Provenance {
   /** State at t = 0. */
   state: Float64Array;
   multipliers: { re: Float64Array; im: Float64Array };
+  /** All multipliers inside the unit circle; inside the tooth gap but for the one of a displacement of u, which is 1. */
   stable: boolean;
   /** Least and greatest value of each coordinate over the orbit. */
   min: Float64Array;
@@ -463,6 +464,7 @@ export interface Basin extends Provenance {
     state: Float64Array;
     /** Six a row. */
     points: Float64Array;
+    /** Where the first is 1, this is the middle one of a continuous family of orbits inside the tooth gap. */
     multipliers: { re: Float64Array; im: Float64Array } | null;
   }[];
 }

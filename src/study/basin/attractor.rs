@@ -2,10 +2,12 @@
 
 use super::BasinOptions;
 use crate::error::StudyError;
-use crate::model::equations::GearPair;
+use crate::model::equations::{GearPair, U};
+use crate::model::parameters::Parameters;
 use crate::numerics::contraction::Ellipsoid;
 use crate::numerics::floquet::Spectrum;
 use crate::order;
+use crate::study::gap::Gap;
 use crate::study::motion;
 use crate::study::multipliers::{Budget, image};
 use crate::study::orbit::PeriodicOrbit;
@@ -39,6 +41,12 @@ pub enum AttractorKind {
         /// Its period, in mesh periods.
         period: usize,
     },
+    /// The motions inside the tooth gap that differ by a displacement of u and nothing else: a continuous family of periodic
+    /// orbits, to one or another of which all come. Without load they are the rests.
+    Gap {
+        /// Their period, in mesh periods.
+        period: usize,
+    },
     /// A motion that does not repeat itself: quasi-periodic, or chaotic.
     Torus,
 }
@@ -48,14 +56,25 @@ pub enum AttractorKind {
 pub struct Attractor {
     /// What it is.
     pub kind: AttractorKind,
-    /// A state of it at t = 0.
+    /// A state of it at t = 0; of a family that of the orbit in the middle of the gap.
     pub state: [f64; 6],
     /// Its stroboscopic points in the order in which they follow, the state the first.
     pub points: Vec<[f64; 6]>,
-    /// Real parts of the multipliers over its period, largest modulus first; of an orbit only.
+    /// Real parts of the multipliers over its period, largest modulus first; of orbits only. Of a family the first is one.
     pub re: [f64; 6],
     /// Imaginary parts.
     pub im: [f64; 6],
+}
+
+/// Coordinates and velocities below this are those of rest.
+const RESTING: f64 = 1e-8;
+
+impl Attractor {
+    /// Whether it is the rests inside the tooth gap.
+    pub fn is_rest_in_gap(&self) -> bool {
+        let still = self.state.iter().enumerate().all(|(index, value)| index == U || value.abs() < RESTING);
+        matches!(self.kind, AttractorKind::Gap { .. }) && still
+    }
 }
 
 /// An attractor and how it is recognised.
@@ -68,6 +87,8 @@ pub(super) struct Known {
     coordinates: Vec<usize>,
     /// Of an attractor that never repeats: how far its points are apart.
     spacing: f64,
+    /// Of a family inside the tooth gap.
+    gap: Option<Gap>,
 }
 
 /// How long a motion has been near each attractor that never repeats.
@@ -78,6 +99,7 @@ pub(super) struct Arrival {
 
 /// The attractor that a motion has come to, and the number of the orbit's point at which it would have started.
 pub(super) fn arrived(
+    p: &Parameters,
     known: &[Known],
     state: &[f64; 6],
     periods: usize,
@@ -89,17 +111,10 @@ pub(super) fn arrived(
     }
     for (index, candidate) in known.iter().enumerate() {
         match candidate.attractor.kind {
-            AttractorKind::Orbit { period } => {
-                let mut reduced = [0.0; 6];
-                let count = candidate.coordinates.len();
-                for (place, &coordinate) in reduced.iter_mut().zip(&candidate.coordinates) {
-                    *place = state[coordinate];
-                }
-                for (point, ball) in candidate.balls.iter().enumerate() {
-                    if ball.as_ref().is_some_and(|ball| ball.contains(&reduced[..count])) {
-                        let phase = (point + period - periods % period) % period;
-                        return Some((index, phase as u8));
-                    }
+            AttractorKind::Orbit { period } | AttractorKind::Gap { period } => {
+                if let Some(point) = candidate.point_near(p, state, common) {
+                    let phase = (point + period - periods % period) % period;
+                    return Some((index, phase as u8));
                 }
             }
             AttractorKind::Torus => {
@@ -123,9 +138,27 @@ const NEARER: f64 = 1e4;
 impl Known {
     /// Periods in which a motion comes near, by the slowest multiplier of an orbit.
     pub(super) fn patience(&self) -> Option<f64> {
-        let AttractorKind::Orbit { period } = self.attractor.kind else { return None };
-        let rate = -self.attractor.re[0].hypot(self.attractor.im[0]).ln() / period as f64;
+        let (period, slowest) = match self.attractor.kind {
+            AttractorKind::Orbit { period } => (period, 0),
+            AttractorKind::Gap { period } => (period, 1),
+            AttractorKind::Torus => return None,
+        };
+        let rate = -self.attractor.re[slowest].hypot(self.attractor.im[slowest]).ln() / period as f64;
         (rate > 0.0).then(|| NEARER.ln() / rate)
+    }
+
+    /// The point of the orbit to which a motion comes that is at this state.
+    fn point_near(&self, p: &Parameters, state: &[f64; 6], common: usize) -> Option<usize> {
+        if let Some(gap) = self.gap {
+            let points = &self.attractor.points;
+            return (0..points.len()).step_by(common).find(|&index| gap.holds(p, &points[index], state));
+        }
+        let mut reduced = [0.0; 6];
+        let count = self.coordinates.len();
+        for (place, &coordinate) in reduced.iter_mut().zip(&self.coordinates) {
+            *place = state[coordinate];
+        }
+        self.balls.iter().position(|ball| ball.as_ref().is_some_and(|ball| ball.contains(&reduced[..count])))
     }
 
     fn is_near(&self, state: &[f64; 6]) -> bool {
@@ -177,7 +210,7 @@ pub(super) async fn explore(
         }
         budget.rest().await;
         states.push(reached.state);
-        if arrived(known, &reached.state, count, common, &mut arrival).is_some() {
+        if arrived(p, known, &reached.state, count, common, &mut arrival).is_some() {
             return Ok(());
         }
         if count != next_try || count > most || !count.is_multiple_of(common) {
@@ -204,7 +237,7 @@ pub(super) async fn explore(
             other.attractor.kind == AttractorKind::Torus && tail.iter().all(|state| other.is_near(state))
         };
         if !known.iter().any(same) {
-            known.push(Known { attractor, balls: Vec::new(), coordinates: Vec::new(), spacing });
+            known.push(Known { attractor, balls: Vec::new(), coordinates: Vec::new(), spacing, gap: None });
         }
     };
     let image = mirrored.then(|| mirror(&attractor));
@@ -247,6 +280,10 @@ async fn add_orbit(
     budget: &Budget,
 ) -> Result<(), StudyError> {
     let period = search.pair.parameters.mesh_period();
+    let (orbit, gap) = match Gap::of(&search.pair.parameters, &orbit, TOLERANCE) {
+        Some((gap, middle)) => (middle, Some(gap)),
+        None => (orbit, None),
+    };
     let spectrum = Spectrum { re: orbit.re, im: orbit.im };
     let mut points = vec![orbit.state];
     for index in 1..orbit.period {
@@ -254,7 +291,10 @@ async fn add_orbit(
         points.push(motion::carry(&search.pair, phase, points[index - 1], phase + period, TOLERANCE)?.state);
     }
     let attractor = Attractor {
-        kind: AttractorKind::Orbit { period: orbit.period },
+        kind: match gap {
+            Some(_) => AttractorKind::Gap { period: orbit.period },
+            None => AttractorKind::Orbit { period: orbit.period },
+        },
         state: orbit.state,
         points,
         re: orbit.re,
@@ -263,7 +303,7 @@ async fn add_orbit(
     let images = if search.mirrored { vec![mirror(&attractor)] } else { Vec::new() };
     for attractor in std::iter::once(attractor).chain(images) {
         if !known.iter().any(|other| is_same_orbit(&attractor, &other.attractor)) {
-            known.push(recognised(search, attractor, &spectrum, budget).await?);
+            known.push(Known { gap, ..recognised(search, attractor, &spectrum, budget).await? });
         }
     }
     Ok(())
@@ -279,7 +319,7 @@ async fn recognised(
     let Search { pair, options, common, .. } = search;
     let p = &pair.parameters;
     let AttractorKind::Orbit { period } = attractor.kind else {
-        return Ok(Known { attractor, balls: Vec::new(), coordinates: Vec::new(), spacing: 0.0 });
+        return Ok(Known { attractor, balls: Vec::new(), coordinates: Vec::new(), spacing: 0.0, gap: None });
     };
     let on_manifold = stays_on_manifold(pair, options, &attractor.state);
     let coordinates: Vec<usize> = if on_manifold { vec![0, 2, 3, 5] } else { (0..6).collect() };
@@ -322,7 +362,7 @@ async fn recognised(
         }
         balls.push(ball);
     }
-    Ok(Known { attractor, balls, coordinates, spacing: 0.0 })
+    Ok(Known { attractor, balls, coordinates, spacing: 0.0, gap: None })
 }
 
 /// Whether all starts, and this orbit, are on the manifold `u_g = -u_p`, and stay there.
@@ -344,7 +384,7 @@ pub(super) fn mirror_image(known: &Known, all: &[Known]) -> (i32, Vec<u8>) {
                 && image.points[POINTS - POINTS / 8..].iter().all(|state| other.is_near(state));
             same.then(|| (super::number(index), vec![0]))
         }
-        AttractorKind::Orbit { period } => {
+        AttractorKind::Orbit { period } | AttractorKind::Gap { period } => {
             if !is_same_orbit(&image, &other.attractor) {
                 return None;
             }
