@@ -5,7 +5,7 @@ use super::job::{Figure, Slices};
 use crate::chart::drawing::{Drawing, Role};
 use crate::error::FigureError;
 use crate::model::parameters::Parameters;
-use crate::study::basin::{AttractorKind, Basin, BasinOptions, BasinWork, ESCAPED, UNDECIDED};
+use crate::study::basin::{Attractor, AttractorKind, Basin, BasinOptions, BasinWork, ESCAPED, UNDECIDED};
 use crate::study::grid::Grid;
 
 /// Cells along each side.
@@ -95,12 +95,8 @@ impl Basins {
             match attractor.kind {
                 AttractorKind::Orbit { period } | AttractorKind::Gap { period } => {
                     let Some(state) = attractor.points.get(usize::from(phase)) else { continue };
-                    let meaning = format!("point {} of a stable motion of period {period}T", phase + 1);
-                    let label = format!(
-                        "{}: period {}*T*",
-                        number_of + 1,
-                        if period == 1 { String::new() } else { period.to_string() }
-                    );
+                    let (meaning, label) = words(attractor, period, phase);
+                    let label = format!("{}: {label}", number_of + 1);
                     let line = Line::new(name, meaning, Role::Attractor).stable(true);
                     composer.marks(frame, line.label(&label, 0.0), Points::one((state[0], state[3])));
                 }
@@ -143,13 +139,15 @@ impl Basins {
             .enumerate()
             .map(|(index, attractor)| {
                 let share = Self::share(basin, |found| usize::try_from(found) == Ok(index));
-                let kind = match attractor.kind {
-                    AttractorKind::Orbit { period } | AttractorKind::Gap { period } => {
-                        format!("a motion of period {period}T")
-                    }
-                    AttractorKind::Torus => "a motion that never repeats".to_owned(),
+                let end = match attractor.kind {
+                    _ if attractor.is_rest_in_gap() => "come to rest somewhere in the gap".to_owned(),
+                    AttractorKind::Orbit { period } => format!("go to a motion of period {period}T"),
+                    AttractorKind::Gap { period } => format!(
+                        "go to one of a continuous family of motions of period {period}T inside the gap"
+                    ),
+                    AttractorKind::Torus => "go to a motion that never repeats".to_owned(),
                 };
-                format!("{} per cent go to {kind}", number(share, 3))
+                format!("{} per cent {end}", number(share, 3))
             })
             .collect();
         let escaped = number(Self::share(basin, |found| found == ESCAPED), 3);
@@ -158,6 +156,20 @@ impl Basins {
         }
         format!("Of the starts in this plane {}, and {escaped} per cent escape.", each.join(", "))
     }
+}
+
+/// What a point of an orbit is, and the short form of it.
+fn words(attractor: &Attractor, period: usize, phase: u8) -> (String, String) {
+    if attractor.is_rest_in_gap() {
+        return ("rest in the middle of the gap".to_owned(), "at rest in the gap".to_owned());
+    }
+    let length = if period == 1 { String::new() } else { period.to_string() };
+    let point = phase + 1;
+    if matches!(attractor.kind, AttractorKind::Gap { .. }) {
+        let meaning = format!("point {point} of the motion of period {period}T in the middle of the gap");
+        return (meaning, format!("in the gap, period {length}*T*"));
+    }
+    (format!("point {point} of a stable motion of period {period}T"), format!("period {length}*T*"))
 }
 
 impl Slices for Basins {

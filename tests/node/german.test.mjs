@@ -78,6 +78,46 @@ test("every sentence of every figure has its German, at several parameters and w
   assert.deepEqual([...forgotten], []);
 });
 
+test("figure A names the motions inside the tooth gap, in German too", () => {
+  forgotten.clear();
+  /** @type {readonly (readonly [object, string, string, RegExp])[]} */
+  const cases = [
+    [{ regime: "backlash" }, "1: at rest in the gap", "1: in Ruhe im Zahnspalt", /kommen [\d,]+ Prozent irgendwo im Zahnspalt zur Ruhe, und [\d,]+ Prozent entkommen/],
+    [
+      { regime: "backlash", E: 0.05 },
+      "1: in the gap, period *T*",
+      "1: im Zahnspalt, Periode *T*",
+      /kommen [\d,]+ Prozent zu einer aus einer stetigen Schar von Bewegungen der Periode 1T im Zahnspalt, und/,
+    ],
+  ];
+  for (const [given, english, german, summary] of cases) {
+    const found = new Set();
+    // The attractors are known after the first slices, long before the picture is.
+    for (const { figure } of gear.progress("A", given)) {
+      checkFigure(figure);
+      const labels = figure.series.map((/** @type {{label: string | null}} */ { label }) => label);
+      if (!labels.includes(english)) continue;
+      for (const { label } of spokenFigure(figure).series) found.add(label);
+      assert.match(spoken(figure.summary), summary);
+      break;
+    }
+    assert.ok(found.has(german), [...found].join());
+  }
+  // What two attractors' sentences become, whichever comes first.
+  const rest = "20.5 per cent come to rest somewhere in the gap";
+  const orbit = "30 per cent go to a motion of period 2T";
+  const said = (/** @type {string[]} */ ...ends) => spoken(`Of the starts in this plane ${ends.join(", ")}, and 0 per cent escape.`);
+  const [ruhe, bewegung] = ["20,5 Prozent irgendwo im Zahnspalt zur Ruhe", "30 Prozent zu einer Bewegung der Periode 2T"];
+  for (const [ends, german] of [
+    [[rest, orbit], [ruhe, bewegung]],
+    [[orbit, rest], [bewegung, ruhe]],
+    [[orbit, rest, orbit], [bewegung, ruhe, bewegung]],
+  ]) {
+    assert.equal(said(...ends), `Von den Anfängen in dieser Ebene kommen ${german.join(", ")}, und 0 Prozent entkommen.`);
+  }
+  assert.deepEqual([...forgotten], []);
+});
+
 test("errors have their German", () => {
   forgotten.clear();
   for (const call of [

@@ -99,6 +99,8 @@ export const meanings = [
   ["number of the region a start belongs to; -1: it escapes", "Nummer des Gebiets, zu dem ein Anfang gehört; −1: er entkommt"],
   ["pitchfork bifurcation at the tongue's edge", "Gabelverzweigung am Rand der Zunge"],
   ["point {1} of a stable motion of period {2}T", "Punkt {1} einer stabilen Bewegung der Periode {2}T"],
+  ["point {1} of the motion of period {2}T in the middle of the gap", "Punkt {1} der Bewegung der Periode {2}T in der Mitte des Zahnspalts"],
+  ["rest in the middle of the gap", "Ruhe in der Mitte des Zahnspalts"],
   ["stroboscopic points of a motion that never repeats", "stroboskopische Punkte einer Bewegung, die sich nie wiederholt"],
   ["points of the map from the paper's start", "Punkte der Abbildung vom Anfang des Aufsatzes aus"],
   ["points of the map on their way", "Punkte der Abbildung auf ihrem Weg"],

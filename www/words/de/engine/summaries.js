@@ -203,9 +203,11 @@ export const summaries = [
     "Grenzzyklen entstehen mit Dämpfung bei Omega_1 = ∓{1}, wo der Aufsatz ∓{2} sagt: ein stabiler am superkritischen Rand, links bei verhärtenden und rechts bei erweichenden Lagern, der über den anderen Rand hinausgeht, an dem ein instabiler entsteht.",
   ],
   ["Of the starts in this plane {1} per cent escape; no attractor was found.", "Von den Anfängen in dieser Ebene entkommen {1} Prozent; ein Attraktor wurde nicht gefunden."],
-  ["Of the starts in this plane {1}, and {2} per cent escape.", "Von den Anfängen in dieser Ebene gehen {1}, und {2} Prozent entkommen."],
+  ["Of the starts in this plane {1}, and {2} per cent escape.", "Von den Anfängen in dieser Ebene kommen {1}, und {2} Prozent entkommen."],
   ["{1} per cent go to {2}, {3}", "{1} Prozent zu {2}, {3}"],
   ["{1} per cent go to {2}", "{1} Prozent zu {2}"],
+  ["{1} per cent come to rest somewhere in the gap, {2}", "{1} Prozent irgendwo im Zahnspalt zur Ruhe, {2}"],
+  ["{1} per cent come to rest somewhere in the gap", "{1} Prozent irgendwo im Zahnspalt zur Ruhe"],
   [
     "Pinion and gear on their supports, moving: u runs from {1} to {2} half-backlashes, so {3}.",
     "Ritzel und Rad auf ihren Lagern, in Bewegung: u läuft von {1} bis {2} halben Spielen, so dass {3}.",

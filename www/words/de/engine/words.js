@@ -124,6 +124,7 @@ export const words = [
   ["no periodic response here", "hier keine periodische Antwort"],
   ["a motion of period {1}T", "einer Bewegung der Periode {1}T"],
   ["a motion that never repeats", "einer Bewegung, die sich nie wiederholt"],
+  ["one of a continuous family of motions of period {1}T inside the gap", "einer aus einer stetigen Schar von Bewegungen der Periode {1}T im Zahnspalt"],
 ];
 
 /**
@@ -135,6 +136,8 @@ export const compositions = [
   ["paper {1}", "Aufsatz {1}"],
   ["{1}: period {2}", "{1}: Periode {2}"],
   ["{1}: torus", "{1}: Torus"],
+  ["{1}: in the gap, period {2}", "{1}: im Zahnspalt, Periode {2}"],
+  ["{1}: at rest in the gap", "{1}: in Ruhe im Zahnspalt"],
   ["{1}, paper {2}", "{1}, Aufsatz {2}"],
   ["{1} paper {2}", "{1} Aufsatz {2}"],
   ["{1} damped {2}", "{1} gedämpft {2}"],
