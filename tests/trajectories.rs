@@ -70,6 +70,18 @@ fn a_motion_in_time_says_what_becomes_of_contact() {
     assert_eq!(fact(&made("U", &[("F", 0.0), ("u0", 1.2)]), "contact"), Fact::Word("lost"));
 }
 
+#[test]
+fn the_map_of_a_motion_that_dies_away_says_where_it_comes_to_rest() {
+    let dying = made("P", &[("k0", 0.1), ("Omega", 2.6), ("zeta", 0.05)]);
+    assert!(dying.summary.starts_with("The start comes to rest at u = 0;"), "{}", dying.summary);
+    let gap = figure("P", &words("backlash", &[("F", 0.0), ("u_p0", 0.1), ("u_g0", -0.1), ("u0", 0.25)]));
+    let gap = gap.expect("a map").summary;
+    let (_, rest) = gap.split_once("The start comes to rest at u = ").unwrap_or_else(|| panic!("{gap}"));
+    let (place, _) = rest.split_once(';').unwrap_or((rest, ""));
+    let place: f64 = place.replace('\u{2212}', "-").parse().unwrap_or_else(|_| panic!("{gap}"));
+    assert!(place.abs() < 1.0, "{gap}");
+}
+
 fn time_response_of(regime: &str, values: &[(&str, f64)]) -> TimeResponse {
     let p = specification("U").expect("known").with(&words(regime, values)).expect("valid");
     let options = TimeResponseOptions { periods: 200.0, ..TimeResponseOptions::new(&p) };

@@ -5,6 +5,7 @@ use super::job::{Fact, Figure, Slices};
 use super::poincare_map::{Centre, Thinning, article, distance};
 use crate::chart::drawing::{Drawing, Mark, Role};
 use crate::error::FigureError;
+use crate::model::equations::U;
 use crate::model::parameters::Parameters;
 use crate::study::ErrorEstimate;
 use crate::study::motion::default_state;
@@ -28,6 +29,8 @@ const TRANSIENT: f64 = 0.6;
 const TOLERANCE: f64 = 1e-10;
 /// A start is followed until it is this near the orbit it settles on, relative to 1 + the largest coordinate.
 const NEAR: f64 = 1e-3;
+/// What is nearer than this to nothing is nothing, beside the tolerance.
+const NOTHING: f64 = 1e-9;
 /// The frame of a motion that escapes reaches no further than this.
 const FARTHEST: f64 = 40.0;
 /// So many points of the way are drawn as marks of their own.
@@ -234,11 +237,17 @@ impl TrajectoryMap {
     fn summary(&self) -> String {
         let ends = match &self.end {
             Some(End::Closed(period)) => format!("The start lies on a motion of period {period}T"),
+            Some(End::Orbit(orbit, _)) if is_rest(orbit) => {
+                format!(
+                    "The start comes to rest at u = {}",
+                    number(rounded_off(0.5 * (orbit.min[U] + orbit.max[U])), 5)
+                )
+            }
             Some(End::Orbit(orbit, points)) => format!(
                 "The start ends in a stable motion of period {}T, one of whose points is u_p = {}, u_p' = {}",
                 orbit.period,
-                number(points[0][0], 5),
-                number(points[0][3], 5)
+                number(rounded_off(points[0][0]), 5),
+                number(rounded_off(points[0][3]), 5)
             ),
             Some(End::Escaped(time)) => format!("The start escapes at t = {}", number(*time, 5)),
             Some(End::Wandering) => {
@@ -285,6 +294,16 @@ impl TrajectoryMap {
         }
         facts
     }
+}
+
+/// Whether a motion has come to stand still.
+fn is_rest(orbit: &PeriodicOrbit) -> bool {
+    orbit.min.iter().zip(&orbit.max).all(|(min, max)| max - min < NOTHING)
+}
+
+/// A coordinate, nought where only rounding keeps it from that.
+fn rounded_off(value: f64) -> f64 {
+    if value.abs() < NOTHING { 0.0 } else { value }
 }
 
 impl Slices for TrajectoryMap {

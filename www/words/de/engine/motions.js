@@ -46,6 +46,7 @@ export const motions = [
     "The start ends in a stable motion of period {1}T, one of whose points is u_p = {2}, u_p' = {3}",
     "Der Anfang endet in einer stabilen Bewegung der Periode {1}T, von der ein Punkt u_p = {2}, u_p' = {3} ist",
   ],
+  ["The start comes to rest at u = {1}", "Der Anfang kommt bei u = {1} zur Ruhe"],
   ["The start escapes at t = {1}", "Der Anfang entkommt bei t = {1}"],
   [
     "The start settles on no motion of period up to 8T; its points stay within |u_p| of {1}",
@@ -57,6 +58,7 @@ export const motions = [
     "{1}; der Fixpunkt in der Mitte ist {2}, sein größter Multiplikator hat den Betrag {3}.",
   ],
   ["The start lies on a motion of period {1}T.", "Der Anfang liegt auf einer Bewegung der Periode {1}T."],
+  ["The start comes to rest at u = {1}.", "Der Anfang kommt bei u = {1} zur Ruhe."],
   ["The start escapes at t = {1}.", "Der Anfang entkommt bei t = {1}."],
   ["The start is on its way.", "Der Anfang ist auf dem Weg."],
   ["No fixed point in the middle: {1}.", "Kein Fixpunkt in der Mitte: {1}."],
