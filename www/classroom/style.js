@@ -1,7 +1,7 @@
 /** How the classroom looks. Colours come from the page's custom properties. */
 
 export const STYLE = `
-.classroom { max-inline-size: 90rem; margin-inline: auto; padding-block: 1rem 4rem; }
+.classroom { max-inline-size: var(--wide); margin-inline: auto; padding-block: 1rem 4rem; }
 .classroom .top { display: flex; flex-wrap: wrap; justify-content: space-between; align-items: baseline; gap: 0.5rem 2rem; }
 .classroom h1 { margin-block: 0.5rem; }
 .classroom h2 { margin-block: 0.25rem 0.75rem; max-inline-size: none; }

@@ -142,7 +142,7 @@ th { border-block-end: 1px solid var(--rule, #bbb); }
 }
 :host([fit]) { display: grid !important; grid-template-rows: minmax(0, 1fr) auto; position: relative; }
 :host([fit]) .stage { aspect-ratio: auto; min-block-size: 0; margin-inline: var(--inset-start, 0) var(--inset-end, 0); }
-:host([fit]) :is(.panel-place, .rows) { display: none; }
+:host([fit]) :is(.panel-place, .rows), :host([controls="none"]) .panel-place { display: none; }
 :host([fit]) .legend { flex-wrap: nowrap; min-block-size: 0; margin-inline: 0; }
 :host([fit][figure="1"]) .legend { display: none; }
 :host([fit][figure="B"]) .legend { flex-wrap: wrap; align-content: start; min-block-size: 3.125rem; }
