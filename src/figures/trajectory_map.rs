@@ -5,7 +5,6 @@ use super::job::{Fact, Figure, Slices};
 use super::poincare_map::{Centre, Thinning, article, distance};
 use crate::chart::drawing::{Drawing, Mark, Role};
 use crate::error::FigureError;
-use crate::model::equations::U;
 use crate::model::parameters::Parameters;
 use crate::study::ErrorEstimate;
 use crate::study::motion::default_state;
@@ -237,18 +236,15 @@ impl TrajectoryMap {
     fn summary(&self) -> String {
         let ends = match &self.end {
             Some(End::Closed(period)) => format!("The start lies on a motion of period {period}T"),
-            Some(End::Orbit(orbit, _)) if is_rest(orbit) => {
-                format!(
-                    "The start comes to rest at u = {}",
-                    number(rounded_off(0.5 * (orbit.min[U] + orbit.max[U])), 5)
-                )
-            }
-            Some(End::Orbit(orbit, points)) => format!(
-                "The start ends in a stable motion of period {}T, one of whose points is u_p = {}, u_p' = {}",
-                orbit.period,
-                number(rounded_off(points[0][0]), 5),
-                number(rounded_off(points[0][3]), 5)
-            ),
+            Some(End::Orbit(orbit, points)) => match orbit.rest(NOTHING) {
+                Some(u) => format!("The start comes to rest at u = {}", number(rounded_off(u), 5)),
+                None => format!(
+                    "The start ends in a stable motion of period {}T, one of whose points is u_p = {}, u_p' = {}",
+                    orbit.period,
+                    number(rounded_off(points[0][0]), 5),
+                    number(rounded_off(points[0][3]), 5)
+                ),
+            },
             Some(End::Escaped(time)) => format!("The start escapes at t = {}", number(*time, 5)),
             Some(End::Wandering) => {
                 let late = &self.states[self.transient()..];
@@ -294,11 +290,6 @@ impl TrajectoryMap {
         }
         facts
     }
-}
-
-/// Whether a motion has come to stand still.
-fn is_rest(orbit: &PeriodicOrbit) -> bool {
-    orbit.min.iter().zip(&orbit.max).all(|(min, max)| max - min < NOTHING)
 }
 
 /// A coordinate, nought where only rounding keeps it from that.

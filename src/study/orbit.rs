@@ -64,6 +64,14 @@ pub struct PeriodicOrbit {
     pub error: ErrorEstimate,
 }
 
+impl PeriodicOrbit {
+    /// Where the transmission error `u` (dimensionless) stands, if the whole motion stands still to within `nothing`.
+    pub fn rest(&self, nothing: f64) -> Option<f64> {
+        let still = self.min.iter().zip(&self.max).all(|(min, max)| max - min < nothing);
+        still.then_some(0.5 * (self.min[U] + self.max[U]))
+    }
+}
+
 /// Two states nearer than this are one orbit's, when its true period is looked for.
 const SAME: f64 = 1e-7;
 
