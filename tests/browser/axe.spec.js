@@ -9,23 +9,48 @@ async function faults(page) {
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target, failureSummary }) => `${target.join(" ")} ${failureSummary}`).join(" | ")}`);
 }
 
+/** What each room has when all of it is there. */
+const ROOMS = {
+  story: (/** @type {import("@playwright/test").Page} */ page) => figure(page, "2").locator(".panel"),
+  lab: (/** @type {import("@playwright/test").Page} */ page) => page.locator(".lab .sentence", { hasText: /\w/ }),
+  class: (/** @type {import("@playwright/test").Page} */ page) => page.getByRole("heading", { name: "A pair at rest" }),
+};
+
+/** @param {import("@playwright/test").Page} page @param {string} rest  Of the address. */
+async function checkRooms(page, rest) {
+  for (const [room, there] of Object.entries(ROOMS)) {
+    await page.evaluate((hash) => void (location.hash = hash), `#${room}&v=1${room === "class" ? "&lesson=tongue" : ""}${rest}`);
+    await there(page).first().waitFor();
+    expect(await faults(page), room).toEqual([]);
+  }
+}
+
 for (const theme of ["light", "dark", "contrast"]) {
-  test(`axe finds nothing on the page, theme ${theme}`, async ({ page }) => {
+  test(`axe finds nothing in any room, theme ${theme}`, async ({ page }) => {
     test.slow();
     await open(page);
-    await page.evaluate((chosen) => /** @type {any} */ (window).__gear.store.update({ theme: chosen }), theme);
-    await figure(page, "2").locator(".panel").waitFor();
-    await settled(page, "2");
-    expect(await faults(page)).toEqual([]);
+    await checkRooms(page, `&theme=${theme}`);
   });
 }
 
-test("axe finds nothing on the page with contrast preferred in the dark", async ({ page }) => {
+test("axe finds nothing in any room before a projector", async ({ page }) => {
+  test.slow();
+  await open(page);
+  await checkRooms(page, "&projector=on");
+});
+
+test("axe finds nothing with contrast preferred in the dark, nor in what opens over the page", async ({ page }) => {
   test.slow();
   await page.emulateMedia({ colorScheme: "dark", contrast: "more" });
   await open(page);
-  await figure(page, "2").locator(".panel").waitFor();
-  expect(await faults(page)).toEqual([]);
+  for (const name of ["All actions", "Settings", "Help and keys"]) {
+    await page.getByRole("button", { name, exact: true }).click();
+    const dialog = page.getByRole("dialog");
+    await dialog.waitFor();
+    expect(await faults(page), name).toEqual([]);
+    await page.keyboard.press("Escape");
+    await dialog.waitFor({ state: "hidden" });
+  }
 });
 
 test("each chart is one thing with a name, a kind, a sentence and a table", async ({ page }) => {
