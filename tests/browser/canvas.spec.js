@@ -10,11 +10,14 @@ test("a screen of another density gets a picture as sharp as it can show", async
     const canvas = element.shadowRoot?.querySelector("canvas");
     return canvas ? canvas.width / canvas.clientWidth : 0;
   });
-  expect(await store()).toBeCloseTo(2, 1);
+  expect(await store()).toBeCloseTo(1, 1);
   const client = await page.context().newCDPSession(page);
   const { width: wide, height } = page.viewportSize() ?? { width: 1280, height: 720 };
-  await client.send("Emulation.setDeviceMetricsOverride", { width: wide, height, deviceScaleFactor: 3, mobile: false });
-  await expect.poll(store).toBeCloseTo(3, 1);
+  // Between two whole numbers it has more than the screen.
+  for (const [screen, drawn] of [[3, 3], [1.5, 2], [2, 2]]) {
+    await client.send("Emulation.setDeviceMetricsOverride", { width: wide, height, deviceScaleFactor: screen, mobile: false });
+    await expect.poll(store).toBeCloseTo(drawn, 1);
+  }
 });
 
 test("a canvas whose context was lost is drawn again when it is back", async ({ page }) => {
@@ -40,21 +43,4 @@ test("a canvas whose context was lost is drawn again when it is back", async ({ 
   });
   await figure(page, "2").evaluate((element) => element.shadowRoot?.querySelector("canvas")?.dispatchEvent(new Event("contextrestored")));
   await expect.poll(dark).toBe(before);
-});
-
-test("what is in sight is drawn at two pixels a CSS pixel, what is left behind at one, and on the way back finely again", async ({ page }) => {
-  await open(page);
-  const fineness = (/** @type {string} */ id) =>
-    page.locator(`#fig-${id}`).evaluate((element) => {
-      const canvas = element.shadowRoot?.querySelector("canvas");
-      return canvas ? Math.round((10 * canvas.width) / canvas.clientWidth) / 10 : 0;
-    });
-  expect(await page.evaluate(() => devicePixelRatio)).toBe(1);
-  await expect.poll(() => fineness("T")).toBe(2);
-  await expect.poll(() => fineness("4")).toBe(1);
-  await page.locator("#fig-4").evaluate((element) => element.scrollIntoView({ block: "center" }));
-  await expect.poll(() => fineness("4")).toBe(2);
-  await expect.poll(() => fineness("T")).toBe(1);
-  await page.evaluate(() => scrollTo({ top: 0 }));
-  await expect.poll(() => fineness("T")).toBe(2);
 });

@@ -59,11 +59,8 @@ const REST = Object.freeze({ least: 2, most: 1024 });
 export class Engine {
   #gear;
   #pool;
-  /** Figures that came with their picture, or were drawn aside, until they are drawn. @type {WeakMap<Figure, {wanted: import("./protocol.js").Wanted, drawn: import("./protocol.js").Drawn}>} */
+  /** Figures that came with their picture, until they are drawn. @type {WeakMap<Figure, {wanted: import("./protocol.js").Wanted, drawn: import("./protocol.js").Drawn}>} */
   #pictures = new WeakMap();
-  /** @type {HTMLCanvasElement | null} */
-  #aside = null;
-  #asides = Promise.resolve();
   /** What was asked before anybody could, and not taken up yet. @type {Early | null} */
   #early;
   /**
@@ -215,37 +212,6 @@ export class Engine {
     // One that moves has its words made anew for every moment.
     const said = this.words === null || figure.motion === null ? options : { ...options, words: this.words };
     return this.#gear.draw(figure, undefined, canvas, said);
-  }
-
-  /**
-   * Draws a figure aside, on a canvas that nobody sees: to show it then is little work, as `draw` does if the same is wanted. So
-   * a large picture takes the page three short tasks instead of a long one. Nothing comes of it where it cannot be.
-   *
-   * @param {Figure} figure
-   * @param {import("./protocol.js").Wanted} wanted
-   * @returns {Promise<void>}
-   */
-  drawAside(figure, wanted) {
-    // There is one canvas for all.
-    this.#asides = this.#asides.then(async () => {
-      const { width, height, ...options } = wanted;
-      const aside = (this.#aside ??= document.createElement("canvas"));
-      Object.assign(aside, { width, height });
-      try {
-        const { frames, looks } = this.#gear.draw(figure, undefined, aside, options);
-        // The browser notes what is drawn, and carries it out when the picture is taken.
-        await new Promise((resolve) => setTimeout(resolve));
-        this.#pictures.set(figure, { wanted, drawn: { bitmap: await createImageBitmap(aside), frames, looks } });
-      } catch {
-        // Whoever draws it on its own canvas says what is the matter.
-      }
-    });
-    return this.#asides;
-  }
-
-  /** Whether a figure came with its picture, which has not been shown yet. @param {Figure} figure */
-  drawn(figure) {
-    return this.#pictures.has(figure);
   }
 
   /**

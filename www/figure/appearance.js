@@ -16,8 +16,6 @@ const prefersStill = matchMedia("(prefers-reduced-motion: reduce)");
 const listeners = new Set();
 let printing = false;
 
-/** Curves stay smooth at two pixels a CSS pixel even where the screen has one. */
-const LEAST_DENSITY = 2;
 /** More pixels than this a CSS pixel nobody tells apart. */
 const MOST_DENSITY = 8;
 
@@ -42,13 +40,13 @@ export function resolveTheme(own, { theme, projector }) {
   return prefersDark.matches ? "dark" : "light";
 }
 
+/**
+ * How many pixels a CSS pixel has in a drawing: as many as the screen, on which curves are smooth, for the module draws to a
+ * fraction of a pixel. Where the page is enlarged by a part, edges of canvases lie between the screen's pixels: a
+ * picture with more than it has is sharper then.
+ */
 export function density() {
-  return Math.min(MOST_DENSITY, Math.max(LEAST_DENSITY, devicePixelRatio));
-}
-
-/** The screen's own density: enough for what is not seen yet, and drawn in half the time. */
-export function coarseDensity() {
-  return Math.min(MOST_DENSITY, Math.max(1, devicePixelRatio));
+  return Math.min(MOST_DENSITY, Math.ceil(devicePixelRatio));
 }
 
 /** Whether the reader has asked for things to stand still. */

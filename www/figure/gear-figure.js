@@ -29,7 +29,6 @@ import { givenByAttributes } from "./attributes.js";
 import { createButtons, wholeButton } from "./bar.js";
 import { Computation } from "./computation.js";
 import { fieldsOf, unknownFigure } from "./errors.js";
-import { Fineness } from "./fineness.js";
 import { frameAt, pixelUnder } from "./frames.js";
 import { Legend, hiddenSeries } from "./legend.js";
 import { plain } from "./markup.js";
@@ -120,15 +119,6 @@ export class GearFigure extends HTMLElement {
       else if (this.#computation?.busy && this.inSight) this.#leadHandle();
     },
   };
-  #fineness = new Fineness({
-    inSight: () => this.inSight,
-    drawn: () => this.#figure !== null,
-    prepare: async () => {
-      // What moves is drawn for its moment.
-      if (this.#figure?.motion === null) await this.#services?.engine.drawAside(this.#figure, this.#wanted(this.#viewOf(this.#figure), density()));
-    },
-    repaint: () => this.#repaint(),
-  });
   #life = new AbortController();
   /** When its turn has come. @type {Promise<void>} */
   #begun = Promise.resolve();
@@ -212,7 +202,6 @@ export class GearFigure extends HTMLElement {
     this.#computation?.stop();
     this.#clock?.pause();
     clearTimeout(this.#notice);
-    this.#fineness.end();
     askNoMore(this.#asker);
     forgetPaint(this);
   }
@@ -263,11 +252,6 @@ export class GearFigure extends HTMLElement {
     return this.#figure;
   }
 
-  /** Whether what is drawn is coarse, and waits to be drawn finely. */
-  get coarse() {
-    return this.#fineness.coarse;
-  }
-
   /** The map between pixels and data of each frame of the last drawing; null before the first. */
   map() {
     return this.#maps.length === 0 ? null : { frames: this.#maps };
@@ -300,16 +284,16 @@ export class GearFigure extends HTMLElement {
     const { stage } = this.#parts;
     if (stage.clientWidth < NARROWEST) return null;
     const view = { ...this.#turning?.direction, windows: {}, hidden: [] };
-    return this.#wanted(view, density());
+    return this.#wanted(view);
   }
 
   /**
-   * How a picture is to be drawn on a canvas of so many pixels a CSS pixel.
+   * How a picture is to be drawn at present.
    *
    * @param {import("../engine/gear-bifurcations.js").ViewOptions} view
-   * @param {number} pixels
    */
-  #wanted(view, pixels) {
+  #wanted(view) {
+    const pixels = density();
     return { ...storeOf(this.#parts.stage, pixels), theme: this.#theme, density: pixels, view: { ...view, decimal: decimalSign() } };
   }
 
@@ -320,9 +304,7 @@ export class GearFigure extends HTMLElement {
     const { hidden } = this.#shown;
     const view = this.#viewOf(this.#figure);
     this.#hidden = new Set(view.hidden);
-    // On paper all is seen.
-    const pixels = this.#fineness.next(this.#theme === "print" || this.#services.engine.drawn(this.#figure));
-    const { width, height, ...options } = this.#wanted(view, pixels);
+    const { width, height, ...options } = this.#wanted(view);
     fitStore(canvas, width, height);
     try {
       const { frames, looks } = this.#services.engine.draw(this.#ahead ?? this.#figure, canvas, options);
@@ -752,7 +734,6 @@ export class GearFigure extends HTMLElement {
     this.inSight = inSight;
     if (inSight && this.#postponed) this.#ask();
     if (inSight && this.#computation?.busy) this.#repaint();
-    this.#fineness.see(inSight);
     if (this.#clock) this.#clock.seen = inSight;
   }
 

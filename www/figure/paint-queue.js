@@ -2,14 +2,12 @@
  * Draws figures: those in sight in animation frames, and no longer in one frame than the page can spare; the others
  * between frames, one at a time, for nobody sees when they change.
  *
- * @typedef {{readonly inSight: boolean, readonly coarse: boolean, paint(): void}} Painter  Coarse: it has been drawn coarsely, and
- *   waits to be drawn finely.
+ * @typedef {{readonly inSight: boolean, paint(): void}} Painter
  */
 
 /**
  * Time a frame may spend on drawing before the rest waits for the next one, ms. One figure is always drawn, and one that is drawn for
- * the first time is the last of its frame: it takes as long again, and so do layout and the browser's own painting. So is one that
- * is drawn finely now that it is in sight: its larger canvas is copied by the browser afterwards.
+ * the first time is the last of its frame: it takes as long again, and so do layout and the browser's own painting.
  */
 const BUDGET = 12;
 
@@ -104,9 +102,9 @@ function paintFrame() {
   framed = false;
   const start = performance.now();
   for (const painter of [...waiting].filter(({ inSight }) => inSight)) {
-    const large = !warm.has(painter) || painter.coarse;
+    const cold = !warm.has(painter);
     paint(painter);
-    if (large || performance.now() - start > BUDGET) break;
+    if (cold || performance.now() - start > BUDGET) break;
   }
   tellWhoAsked();
   schedule();

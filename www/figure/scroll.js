@@ -1,5 +1,5 @@
 /**
- * Whether the reader is scrolling just now: what can wait then waits, for a frame that scrolls has enough to do.
+ * Waiting until the reader scrolls no more: what can wait then waits, for a frame that scrolls has enough to do.
  */
 
 /** After this without a move it is still, ms. */
@@ -25,10 +25,6 @@ function beStill() {
   const all = [...waiting];
   waiting.clear();
   for (const work of all) work();
-}
-
-export function isScrolling() {
-  return timer !== null;
 }
 
 /**

@@ -36,8 +36,6 @@
  * @property {(id: string, given: Given) => {figure: Figure, done: boolean} | null} glance  What comes of it here in a moment; null for nothing.
  * @property {(id: string, given: Given, time: number) => {figure: Figure, done: boolean} | null} within  What can be computed here in so many ms.
  * @property {boolean} draws  Whether figures can come with their first picture.
- * @property {(figure: Figure) => boolean} drawn  Whether it came with its picture, or was drawn aside, and that has not been shown yet.
- * @property {(figure: Figure, wanted: NonNullable<ComputeOptions["picture"]>) => Promise<void>} drawAside  Draws it so that showing it is little work.
  * @property {(figure: Figure, canvas: HTMLCanvasElement, options: DrawOptions) => {frames: FrameMap[], looks: SeriesLook[]}} draw
  */
 
