@@ -93,11 +93,11 @@ function installReader() {
  */
 export async function open(page, address = "./?test") {
   await page.goto(address);
-  await expect.poll(() => marked(page, "all-figures"), { timeout: 30_000 }).not.toBeNull();
   await page.waitForFunction(() => {
+    if (performance.getEntriesByName("all-figures").length === 0) return false;
     const shown = (document.querySelector('main > [data-view="story"]')?.clientWidth ?? 0) > 0;
     return !shown || document.documentElement.dataset.opening === undefined;
-  });
+  }, undefined, { timeout: 30_000 });
 }
 
 /**
