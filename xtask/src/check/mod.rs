@@ -24,9 +24,13 @@ pub fn check(options: &Options) -> Result<(), Failure> {
     let quick = options.flag("--quick");
     // The wasm is optimised as a whole, by one core: the other has what needs no wasm meanwhile.
     let outcome = std::thread::scope(|scope| {
-        // Before two ask for it at once.
-        tools::ensure_wasm_target()?;
-        let wasm = run.wants(BUILD).then(|| scope.spawn(build::compile));
+        let wasm = if run.wants(BUILD) {
+            // Before two ask for it at once.
+            tools::ensure_wasm_target()?;
+            Some(scope.spawn(build::compile))
+        } else {
+            None
+        };
         before_wasm(&mut run, quick)?;
         run.step(BUILD, |_| wasm.map_or(Ok(()), joined).and_then(|()| built()))?;
         with_wasm(&mut run, quick)
