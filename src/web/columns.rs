@@ -22,6 +22,11 @@ impl Record {
         Self { object: Object::new(), not_finite: None }
     }
 
+    /// A copy, whose lists are those of the first.
+    pub fn copied(&self) -> Self {
+        Self { object: Object::assign(&Object::new(), &self.object), not_finite: self.not_finite.clone() }
+    }
+
     /// Any value.
     #[must_use]
     pub fn value(self, name: &str, value: impl Into<JsValue>) -> Self {

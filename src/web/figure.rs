@@ -22,7 +22,8 @@ const REGIME_MEANING: &str = "what the tooth force follows: the deviation alone 
 /// The plain object of a `GearError`.
 #[wasm_bindgen]
 pub fn defaults() -> Result<JsValue, JsValue> {
-    let lines = TABLE.iter().map(|line| parameter_record(line, None, line.default));
+    let mut lines = Lines::default();
+    let lines = TABLE.iter().map(|line| lines.record(line, None, line.default));
     let regime = regime_record(Parameters::default().regime.name());
     Ok(array(lines.chain([regime]))?)
 }
@@ -33,7 +34,8 @@ pub fn defaults() -> Result<JsValue, JsValue> {
 /// The plain object of a `GearError`.
 #[wasm_bindgen]
 pub fn figures() -> Result<JsValue, JsValue> {
-    Ok(array(figures::specifications().iter().map(specification_record))?)
+    let mut lines = Lines::default();
+    Ok(array(figures::specifications().iter().map(|one| specification_record(one, &mut lines)))?)
 }
 
 /// One figure, computed: `figure(id, params)`.
@@ -98,14 +100,19 @@ impl FigureProgress {
     }
 }
 
-fn specification_record(specification: &Specification) -> Record {
-    let controls = specification.parameters.iter().map(|name| control_record(specification, name));
-    let starts = start_controls(specification);
+fn specification_record(specification: &Specification, lines: &mut Lines) -> Record {
+    let names = specification.parameters.iter();
+    let mut controls: Vec<Record> = names.map(|name| control_record(specification, name, lines)).collect();
+    if specification.starts {
+        // With the state in which this figure starts where nothing is said.
+        let usual = START.iter().zip(specification.usual_start());
+        controls.extend(usual.map(|(line, value)| lines.record(line, None, value)));
+    }
     Record::new()
         .value("id", specification.id)
         .value("title", specification.title)
         .value("caption", specification.caption)
-        .list("parameters", controls.chain(starts))
+        .list("parameters", controls)
         .value("turnable", specification.turnable)
         .value("animated", specification.animated)
         .number("aspect", specification.aspect)
@@ -113,17 +120,8 @@ fn specification_record(specification: &Specification) -> Record {
         .value("divisible", specification.divisible)
 }
 
-/// The controls of a start, with the state in which this figure starts where nothing is said.
-fn start_controls(specification: &Specification) -> Vec<Record> {
-    if !specification.starts {
-        return Vec::new();
-    }
-    let usual = specification.usual_start();
-    START.iter().zip(usual).map(|(line, value)| parameter_record(line, None, value)).collect()
-}
-
 /// One control of a figure: the parameter's line, with this figure's own default.
-fn control_record(specification: &Specification, name: &str) -> Record {
+fn control_record(specification: &Specification, name: &str, lines: &mut Lines) -> Record {
     let preset = |name: &str| {
         let own = specification.preset.iter().find(|(given, _)| *given == name);
         own.map(|(_, preset)| *preset)
@@ -144,10 +142,32 @@ fn control_record(specification: &Specification, name: &str) -> Record {
         Some(Preset::Number(number)) => number,
         _ => line.default,
     };
-    parameter_record(line, form, default)
+    lines.record(line, form, default)
 }
 
-fn parameter_record(line: &ParameterInfo, form: Option<&ShortForm>, default: f64) -> Record {
+/// The lines of the table that have been put into objects, by name. Thirty figures have three hundred controls, of two dozen
+/// parameters, and to make an object here takes twelve values across the boundary, to copy one a single call.
+#[derive(Default)]
+struct Lines(Vec<(&'static str, Record)>);
+
+impl Lines {
+    fn record(
+        &mut self,
+        line: &'static ParameterInfo,
+        form: Option<&'static ShortForm>,
+        default: f64,
+    ) -> Record {
+        let name = form.map_or(line.name, |form| form.name);
+        let place = self.0.iter().position(|(known, _)| *known == name).unwrap_or_else(|| {
+            self.0.push((name, parameter_record(line, form)));
+            self.0.len() - 1
+        });
+        self.0[place].1.copied().number("default", default)
+    }
+}
+
+/// A line of the table.
+fn parameter_record(line: &ParameterInfo, form: Option<&ShortForm>) -> Record {
     let (name, symbol, meaning) =
         form.map_or((line.name, line.symbol, line.meaning), |form| (form.name, form.symbol, form.meaning));
     let sets = form.map_or_else(|| vec![line.name], |form| form.sets.to_vec());
@@ -160,7 +180,7 @@ fn parameter_record(line: &ParameterInfo, form: Option<&ShortForm>, default: f64
     Record::new()
         .value("name", name)
         .value("symbol", symbol)
-        .number("default", default)
+        .number("default", line.default)
         .number("low", line.low)
         .number("high", line.high)
         .pair("range", (line.low, line.high))
