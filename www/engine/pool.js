@@ -37,7 +37,7 @@ import { faces, newWorker } from "./delivery.js";
 /** @typedef {{wanted: Wanted, answers: Answers, deaths: number, pictured: boolean}} Task  Deaths that it is to blame for. */
 /**
  * @typedef {object} Seat
- * @property {Worker} worker
+ * @property {Worker | null} worker  Null until the first computation comes: a page with one figure needs no second one.
  * @property {Map<number, Task>} tasks
  * @property {boolean} ready  The module runs in it.
  * @property {number} silent  Questions it has not answered.
@@ -54,6 +54,9 @@ const PATIENCE = 8;
 const PATIENCE_AT_START = 60;
 /** A worker that dies so often before it was ever ready will not come up. */
 const HOPELESS = 3;
+
+/** A seat where nothing has been said yet. */
+const NEW = { worker: null, ready: false, silent: 0, closed: false, current: 0 };
 
 /** @param {number} cores */
 export function poolSize(cores) {
@@ -84,8 +87,9 @@ export class Pool {
   constructor(module, size, draws) {
     this.#module = module;
     this.#draws = draws;
-    this.#seats = Array.from({ length: size }, () => this.#newSeat());
-    for (const seat of this.#seats) this.#open(seat);
+    this.#seats = Array.from({ length: size }, () => ({ ...NEW, tasks: new Map(), deaths: 0 }));
+    // What is asked first is quick, as a rule: this worker starts while the module is fetched.
+    this.#open(this.#seats[0]);
   }
 
   get size() {
@@ -105,7 +109,7 @@ export class Pool {
   run(wanted, answers) {
     const ticket = ++this.#tickets;
     const seat = this.#seatFor(wanted);
-    if (seat.closed) this.#reopen(seat);
+    if (seat.closed || seat.worker === null) this.#open(seat);
     seat.tasks.set(ticket, { wanted, answers, deaths: 0, pictured: false });
     this.#ask(seat, ticket, wanted);
     this.#watch();
@@ -142,7 +146,7 @@ export class Pool {
   kill(manner) {
     for (const seat of this.#seats) {
       if (manner === "error") this.#say(seat, { type: "fail" });
-      else seat.worker.terminate();
+      else seat.worker?.terminate();
     }
   }
 
@@ -165,24 +169,10 @@ export class Pool {
     return others.reduce((least, seat) => (seat.tasks.size < least.tasks.size ? seat : least));
   }
 
-  /** @returns {Seat} */
-  #newSeat() {
-    return { worker: newWorker(), tasks: new Map(), ready: false, silent: 0, deaths: 0, closed: false, current: 0 };
-  }
-
-  /** @param {Seat} seat */
-  #reopen(seat) {
-    seat.worker = newWorker();
-    seat.ready = false;
-    seat.silent = 0;
-    seat.closed = false;
-    seat.current = 0;
-    this.#open(seat);
-  }
-
   /** @param {Seat} seat */
   #open(seat) {
-    const { worker } = seat;
+    const worker = newWorker();
+    Object.assign(seat, { ...NEW, worker });
     worker.onmessage = ({ data }) => {
       if (seat.worker === worker) this.#hear(seat, data);
     };
@@ -211,7 +201,7 @@ export class Pool {
    * @param {ToWorker} message
    */
   #say(seat, message) {
-    seat.worker.postMessage(message);
+    seat.worker?.postMessage(message);
   }
 
   /**
@@ -275,7 +265,7 @@ export class Pool {
 
   /** @param {Seat} seat */
   #replace(seat) {
-    seat.worker.terminate();
+    seat.worker?.terminate();
     seat.deaths += 1;
     this.replaced += 1;
     const hopeless = seat.deaths >= HOPELESS;
@@ -292,7 +282,7 @@ export class Pool {
       seat.closed = true;
       return;
     }
-    this.#reopen(seat);
+    this.#open(seat);
     for (const [ticket, task] of seat.tasks) {
       task.pictured = false;
       this.#ask(seat, ticket, task.wanted);
