@@ -323,6 +323,10 @@ export class GearFigure extends HTMLElement {
     this.#services.later(() => this.#buildPanel());
   }
 
+  layOut() {
+    void this.#parts.stage.clientWidth;
+  }
+
   /** Before anything is known of the figure, its static drawing says how much room it takes. */
   #reservePlace() {
     const picture = this.querySelector("img");

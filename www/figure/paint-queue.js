@@ -2,7 +2,8 @@
  * Draws figures: those in sight in animation frames, and no longer in one frame than the page can spare; the others
  * between frames, one at a time, for nobody sees when they change.
  *
- * @typedef {{readonly inSight: boolean, paint(): void}} Painter
+ * @typedef {{readonly inSight: boolean, layOut(): void, paint(): void}} Painter  To be laid out is to be given its size, which takes what
+ *   has changed around it into account.
  */
 
 /**
@@ -17,6 +18,8 @@ const waiting = new Set();
 const warm = new WeakSet();
 /** Who wants to know when a painter has painted. @type {{painter: Painter, tell: () => void}[]} */
 let asking = [];
+/** Who was laid out last, for its first drawing. @type {Painter | null} */
+let laidOut = null;
 let framed = false;
 let posted = false;
 /** Whether anything has been drawn yet. */
@@ -116,7 +119,9 @@ function paintBetween() {
   if (framed) return;
   for (const painter of waiting) {
     if (painter.inSight) continue;
-    paint(painter);
+    // Before it is drawn for the first time its surroundings have changed, and to lay them out takes half as long as to draw it: each has a task.
+    if (warm.has(painter) || laidOut === painter) paint(painter);
+    else (laidOut = painter).layOut();
     break;
   }
   tellWhoAsked();
