@@ -257,6 +257,18 @@ fn exact_exponents_and_the_slow_flow_meet_and_edges_are_the_exact_ones() {
 }
 
 #[test]
+fn real_multipliers_do_not_jump_between_the_edges_of_the_strip() {
+    // Near Omega = 2.67 both multipliers of the second mode are real: their exponents lie on the very edge.
+    for zeta in [0.01, 0.02, 0.03] {
+        let figure = made("8", &[("zeta", zeta)]);
+        let decaying = |one: &&Series| one.name.starts_with("exact") && one.name.ends_with("decaying");
+        for one in figure.drawing.series.iter().filter(decaying) {
+            assert!(one.pieces.len() <= 3, "{}: {:?} of {}", one.name, one.pieces, one.x.len());
+        }
+    }
+}
+
+#[test]
 fn the_whole_diagram_leans_with_the_supports() {
     for (id, role) in [("9", 1.0), ("10", -1.0)] {
         let figure = made(id, &[]);

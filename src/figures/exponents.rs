@@ -34,6 +34,8 @@ const SLICE: usize = 64;
 const STEEP: f64 = 0.02;
 /// See [`STEEP`].
 const BETWEEN: usize = 4;
+/// How often frequencies are put between such neighbours: where two exponents meet they part like a square root, steeper the nearer.
+const ROUNDS: usize = 3;
 /// Times an edge is halved.
 const HALVINGS: usize = 30;
 /// Tolerance of the multipliers.
@@ -143,7 +145,8 @@ pub(super) struct ExponentPaths {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
     Coarse,
-    Fine,
+    /// Between neighbours that are far apart, so often still.
+    Fine(usize),
     Done,
 }
 
@@ -222,7 +225,7 @@ impl ExponentPaths {
         order::by_number(&mut self.samples, |sample| sample.omega);
         match self.stage {
             Stage::Coarse => {
-                self.stage = Stage::Fine;
+                self.stage = Stage::Fine(ROUNDS);
                 for index in 1..self.samples.len() {
                     let (before, after) = (&self.samples[index - 1], &self.samples[index]);
                     if before.kind == after.kind {
@@ -239,12 +242,18 @@ impl ExponentPaths {
                     }
                 }
                 self.refine();
-                order::descending(&mut self.waiting);
-                if self.waiting.is_empty() {
-                    self.stage = Stage::Done;
+            }
+            Stage::Fine(left) => {
+                self.stage = Stage::Fine(left - 1);
+                if left > 1 {
+                    self.refine();
                 }
             }
-            Stage::Fine | Stage::Done => self.stage = Stage::Done,
+            Stage::Done => {}
+        }
+        order::descending(&mut self.waiting);
+        if self.waiting.is_empty() {
+            self.stage = Stage::Done;
         }
         Ok(())
     }

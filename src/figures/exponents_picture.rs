@@ -15,6 +15,9 @@ use crate::theory::modes::Mode;
 use crate::theory::tongues::Edges;
 use crate::theory::{combination, primary};
 
+/// What an exponent on the strip's edge may be beyond it, in mesh frequencies.
+const ROUNDING: f64 = 1e-6;
+
 impl ExponentPaths {
     /// The picture so far.
     pub(super) fn picture(&self, id: &'static str, parameters: &Parameters) -> Figure {
@@ -189,7 +192,10 @@ impl ExponentPaths {
             let mut fold = None;
             for (omega, values) in &within {
                 let value = values[index];
-                let turns = (value.im / omega).round();
+                let free = value.im / omega;
+                // Real multipliers lie on the strip's very edge, where rounding must not throw them from side to side.
+                let stays = fold.filter(|turns: &f64| (free - turns).abs() < 0.5 + ROUNDING);
+                let turns = stays.unwrap_or_else(|| free.round());
                 if fold.is_some_and(|before| before != turns) {
                     points.push((f64::NEG_INFINITY, f64::NAN));
                 }
