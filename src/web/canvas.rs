@@ -23,8 +23,9 @@ use crate::chart::svg::check_size;
 use crate::chart::theme::Color;
 use crate::error::ChartError;
 
-/// All letters are set in this size, CSS pixels, and scaled to theirs: each canvas keeps every font it has ever set, some 30 kB each.
-const TYPE_SIZE: f64 = 20.0;
+/// All letters are set in this size, CSS pixels, and scaled to theirs: each canvas keeps every font it has ever set, some 30 kB each. It is a
+/// large one, for WebKit in its GTK port rounds the widths of letters to whole pixels of it, and words ran into each other.
+const TYPE_SIZE: f64 = 100.0;
 
 /// A failure of the canvas, in its own words.
 #[derive(Debug)]
