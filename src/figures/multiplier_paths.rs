@@ -6,7 +6,7 @@ use super::tongue_range::range;
 use super::tongues::split;
 use crate::chart::drawing::{Drawing, Frame, Role};
 use crate::error::FigureError;
-use crate::model::parameters::Parameters;
+use crate::model::parameters::{Parameters, Regime};
 use crate::order;
 use crate::study::multipliers::{Multipliers, multipliers, spectrum, unloaded};
 use std::f64::consts::TAU;
@@ -238,6 +238,11 @@ impl Slices for MultiplierPaths {
             ],
             ..Figure::drawn(id, parameters, self.drawing())
         };
+        if !self.loaded && self.parameters.regime == Regime::Backlash {
+            figure.notes.push(
+                "This is rest with teeth that just touch; at rest in the gap nothing acts on them.".into(),
+            );
+        }
         let missing = self.near.iter().chain(&self.far).filter(|sample| sample.1.is_none()).count();
         if missing > 0 {
             figure.notes.push(format!(

@@ -54,6 +54,7 @@ const SETS = [
   [{ k0: 0, alpha: 0 }, 2],
   [{ Omega: 3.6, k0: 0.6 }, 3],
   [{ F: 1.5, regime: "backlash" }, 2],
+  [{ regime: "backlash" }, 2],
   [{ F: 0.2, regime: "contact", alpha: -1 }, 2],
 ];
 

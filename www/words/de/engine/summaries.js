@@ -13,6 +13,8 @@ export const summaries = [
     "{1} von {2} Tori sind keine glatten Kurven: Ihre Größe ist die von Punkten einer langen Bewegung, auf {3}.",
   ],
   ["{1} tori to go.", "{1} Tori fehlen noch."],
+  ["This is rest with teeth that just touch; at rest in the gap nothing acts on them.", "Das gilt der Ruhe, in der die Zähne sich eben berühren; bei Ruhe im Zahnspalt wirkt nichts auf sie."],
+  ["At {1} mesh frequencies no periodic response was found; the lines have gaps there.", "Bei {1} Eingriffsfrequenzen wurde keine periodische Antwort gefunden; dort haben die Linien Lücken."],
   ["{1} mesh frequencies to go.", "{1} Eingriffsfrequenzen fehlen noch."],
   ["{1} periods computed so far.", "{1} Perioden bisher berechnet."],
   ["{1} frequencies computed, {2} to go.", "{1} Frequenzen berechnet, {2} fehlen noch."],
