@@ -37,8 +37,9 @@ test("opened from a disk its figures live, in workers, and nothing is asked for"
   const noise = listen(page);
   await page.goto(`${PAGE}?test`);
   await expect.poll(() => marked(page, "first-figure"), { timeout: 30_000 }).not.toBeNull();
-  expect(page.workers().length).toBeGreaterThan(1);
   await settled(page, "11a");
+  await settled(page, "B");
+  expect(page.workers().length).toBeGreaterThan(1);
   const orbit = await figure(page, "11a").evaluate(async (element) => {
     const { params, series } = await /** @type {import("../../www/figure/gear-figure.js").GearFigure} */ (element).data();
     return [params.Omega, series.length];

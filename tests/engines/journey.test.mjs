@@ -8,7 +8,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { start, until } from "./driver.mjs";
+import { pause, start, until } from "./driver.mjs";
 import { ask, differences, questions } from "./numbers.mjs";
 import { catchFiles, dataOf, focusOn, inkOf, installHands, lastFile, markedAt, middleOf, placesOf } from "./page.mjs";
 import { DIST, serveHost, serveSite, withHead } from "./servers.mjs";
@@ -84,6 +84,21 @@ async function open(address) {
 /** @param {Wanted} wanted */
 async function click(wanted) {
   await browser.drag([await until(`${wanted.role} “${wanted.name}”`, () => browser.evaluate(middleOf, wanted))]);
+}
+
+/**
+ * Places in the window of data in a figure's first frame, once they stay where they are: a page that has just been opened goes on laying itself out.
+ *
+ * @param {string} selector
+ * @param {[number, number][]} points
+ */
+function standing(selector, points) {
+  return until(`${selector} stands still`, async () => {
+    const before = await browser.evaluate(placesOf, selector, points);
+    await pause(300);
+    const now = await browser.evaluate(placesOf, selector, points);
+    return JSON.stringify(now) === JSON.stringify(before) && now;
+  });
 }
 
 /** @param {Wanted} wanted */
@@ -177,7 +192,7 @@ station("a slider takes its numbers along, by keys and by the mouse, and the box
 
 station("the handle on the chart of tongues leads the gears, by the mouse and by keys", async () => {
   await open(`${site.address}?test`);
-  const [from, between, to] = await browser.evaluate(placesOf, "#fig-T", /** @type {[number, number][]} */ ([[1.6, 0.5], [2.1, 0.4], [2.5, 0.3]]));
+  const [from, between, to] = await standing("#fig-T", [[1.6, 0.5], [2.1, 0.4], [2.5, 0.3]]);
   await browser.drag([from, between, to]);
   const followed = await until("the gears follow", async () => {
     const { params } = await browser.evaluate(dataOf, "#fig-1");
@@ -217,7 +232,7 @@ station("charts are zoomed by a rectangle, and shown whole again", async () => {
     const frame = /** @type {import("./page.mjs").GearFigure | null} */ (document.querySelector("#fig-2"))?.map()?.frames[0];
     return frame ? frame.x.high - frame.x.low : 0;
   });
-  const [from, between, to] = await browser.evaluate(placesOf, "#fig-2", /** @type {[number, number][]} */ ([[-0.02, 0.05], [0, 0], [0.02, -0.05]]));
+  const [from, between, to] = await standing("#fig-2", [[-0.02, 0.05], [0, 0], [0.02, -0.05]]);
   const whole = await width();
   await browser.drag([from, between, to]);
   await until("a part is shown", async () => (await width()) < 0.8 * whole);
@@ -232,13 +247,7 @@ station("the laboratory comes up, and its charts follow one point", async () => 
   await says(".lab .sentence", /Rest is a saddle.*settles on a stable orbit of period 2T, \|up\| up to 1\.8515/);
   // The chart takes its place above the branches once they are there.
   await browser.evaluate(dataOf, "#lab-B");
-  const places = () => browser.evaluate(placesOf, "#lab-T", /** @type {[number, number][]} */ ([[1.65, 0.5], [2.2, 0.45], [2.6, 0.4]]));
-  const [from, between, to] = await until("the chart stands still", async () => {
-    const before = await places();
-    await new Promise((resolve) => setTimeout(resolve, 300));
-    const now = await places();
-    return JSON.stringify(now) === JSON.stringify(before) && now;
-  });
+  const [from, between, to] = await standing("#lab-T", [[1.65, 0.5], [2.2, 0.45], [2.6, 0.4]]);
   await browser.drag([from, between, to]);
   await says(".lab .sentence", /Rest is stable.*comes to rest/);
   for (const id of ["T", "B", "1", "U", "P", "M", "W"]) assert.ok(Object.values(await browser.evaluate(inkOf, `#lab-${id}`)).every((count) => count > 50), `chart ${id}`);

@@ -18,6 +18,8 @@ const SUB_PATH: &str = "/some/where/";
 /// The step that needs the wasm, and all after it.
 const BUILD: &str = "build, and the size of the wasm";
 
+const WEBKIT: &str = "the whole journey in WebKit";
+
 /// Runs the steps, stops at the first that fails, and ends with a line of counts.
 pub fn check(options: &Options) -> Result<(), Failure> {
     let mut run = Run { count: Count::default(), only: options.value("--only").map(str::to_owned) };
@@ -92,15 +94,7 @@ fn with_wasm(check: &mut Run, quick: bool) -> Result<(), Failure> {
     })?;
     if !quick {
         check.step("tests in Chromium", browser)?;
-        check.step("the whole journey in Chromium", |count| {
-            journey("chromium", "CHROMIUM", &tools::ensure_chromium()?, count)
-        })?;
-        check.step("the whole journey in Firefox", |count| {
-            journey("firefox", "FIREFOX", &tools::ensure_firefox()?, count)
-        })?;
-        check.step("the whole journey in WebKit", |count| {
-            journey("webkit", "WEBKIT_DRIVER", &tools::ensure_webkit()?, count)
-        })?;
+        journeys(check)?;
     }
     Ok(())
 }
@@ -136,20 +130,38 @@ impl Run {
 
 /// Runs a command, shows what it prints, and counts the tests in it.
 fn counted(command: &mut Command, reader: fn(&str) -> Count, count: &mut Count) -> Result<(), Failure> {
-    let mut child = command.stdout(Stdio::piped()).spawn().map_err(|source| not_started(command, &source))?;
+    let (seen, outcome) = heard(command, reader, |line| print!("{line}"));
+    *count += seen;
+    outcome
+}
+
+/// Runs a command, hands on each line that it prints, and counts the tests in it.
+fn heard(
+    command: &mut Command,
+    reader: fn(&str) -> Count,
+    mut say: impl FnMut(&str),
+) -> (Count, Result<(), Failure>) {
+    let mut count = Count::default();
+    let mut child = match command.stdout(Stdio::piped()).spawn() {
+        Ok(child) => child,
+        Err(source) => return (count, Err(not_started(command, &source))),
+    };
     if let Some(output) = child.stdout.take() {
         let mut output = BufReader::new(output);
         let mut line = Vec::new();
         // Lines of bytes: a test may print what is no UTF-8, and must not stop us.
         while output.read_until(b'\n', &mut line).is_ok_and(|length| length > 0) {
             let text = String::from_utf8_lossy(&line);
-            print!("{text}");
-            *count += reader(&text);
+            say(&text);
+            count += reader(&text);
             line.clear();
         }
     }
-    let status = child.wait().map_err(|source| not_started(command, &source))?;
-    succeeded(command, status)
+    let outcome = child
+        .wait()
+        .map_err(|source| not_started(command, &source))
+        .and_then(|status| succeeded(command, status));
+    (count, outcome)
 }
 
 /// The test files below a folder. They are named one by one: Node's own search changed between versions.
@@ -183,8 +195,39 @@ pub fn soak(options: &Options) -> Result<(), Failure> {
     run(playwright.env("CHROMIUM", chromium).env("GEAR_ADDRESS", address).env("SOAK_MINUTES", minutes))
 }
 
+/// The whole journey in three engines. A browser alone leaves half of the machine idle: the slowest goes beside the others.
+fn journeys(check: &mut Run) -> Result<(), Failure> {
+    let webkit = if check.wants(WEBKIT) { Some(tools::ensure_webkit()?) } else { None };
+    std::thread::scope(|scope| {
+        let aside = webkit.map(|program| {
+            scope.spawn(move || {
+                let mut said = String::new();
+                let heard = heard(&mut journey("webkit", "WEBKIT_DRIVER", &program), count::node, |line| {
+                    said.push_str(line);
+                });
+                (said, heard)
+            })
+        });
+        check.step("the whole journey in Chromium", |count| {
+            counted(&mut journey("chromium", "CHROMIUM", &tools::ensure_chromium()?), count::node, count)
+        })?;
+        check.step("the whole journey in Firefox", |count| {
+            counted(&mut journey("firefox", "FIREFOX", &tools::ensure_firefox()?), count::node, count)
+        })?;
+        check.step(WEBKIT, |count| {
+            let Some(aside) = aside else { return Ok(()) };
+            let panicked = |_| Failure::invalid(WEBKIT, "the thread that listens to it panicked");
+            let (said, (seen, outcome)) = aside.join().map_err(panicked)?;
+            print!("{said}");
+            *count += seen;
+            outcome
+        })
+    })
+}
+
 /// The journey of `tests/engines` in one engine, whose program is named by a variable.
-fn journey(engine: &str, variable: &str, program_path: &Path, count: &mut Count) -> Result<(), Failure> {
+fn journey(engine: &str, variable: &str, program_path: &Path) -> Command {
     let mut node = program("node", &["--test", "--test-reporter=spec", "tests/engines/journey.test.mjs"]);
-    counted(node.env("ENGINE", engine).env(variable, program_path), count::node, count)
+    node.env("ENGINE", engine).env(variable, program_path);
+    node
 }
