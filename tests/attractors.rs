@@ -1,7 +1,7 @@
 //! Quasi-periodic motions, Lyapunov exponents, spectra, sweeps and contact margins, against reference numbers and against
 //! what must hold whatever the numbers.
 
-mod common;
+use crate::common;
 
 use common::{numbers, reference};
 use gear_bifurcations::error::{NumericsError, StudyError};

@@ -1,6 +1,6 @@
 //! Basins against motions followed to their end, and the shares of several workers against one another.
 
-mod common;
+use crate::common;
 
 use common::{Generator, numbers};
 use gear_bifurcations::model::parameters::{Parameters, Regime};

@@ -1,7 +1,7 @@
 //! Whatever the parameters within their ranges, every study of attractors answers in finite numbers or refuses with a
 //! reason, and does so soon.
 
-mod common;
+use crate::common;
 
 use common::Generator;
 use gear_bifurcations::error::StudyError;

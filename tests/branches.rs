@@ -1,6 +1,6 @@
 //! Branches and diagrams against numbers from independent programs and against themselves.
 
-mod common;
+use crate::common;
 
 use common::{Generator, numbers, parameters, reference};
 use gear_bifurcations::error::StudyError;

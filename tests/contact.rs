@@ -1,6 +1,6 @@
 //! Contact margins and least loads against one another and against motions in the dead zone.
 
-mod common;
+use crate::common;
 
 use common::numbers;
 use gear_bifurcations::model::parameters::{Parameters, Regime};

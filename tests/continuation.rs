@@ -1,6 +1,6 @@
 //! The continuation that gear pairs are followed by, on systems whose bifurcations are published.
 
-mod common;
+use crate::common;
 
 use common::reference;
 use gear_bifurcations::error::NumericsError;

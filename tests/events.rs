@@ -1,7 +1,7 @@
 //! Events along steps: nothing between two ends of a step is missed, nothing at a joint is told twice.
 
-mod common;
-mod generated;
+use crate::common;
+use crate::generated;
 
 use common::Generator;
 use gear_bifurcations::numerics::ode::Field;

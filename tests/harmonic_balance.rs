@@ -4,7 +4,7 @@
 //! T. M. Cameron, J. H. Griffin, An alternating frequency/time domain method for calculating the steady-state response
 //! of nonlinear dynamic systems, Journal of Applied Mechanics 56 (1989) 149-154, doi 10.1115/1.3176036.
 
-mod common;
+use crate::common;
 
 use common::parameters;
 use gear_bifurcations::model::equations::GearPair;

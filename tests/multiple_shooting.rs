@@ -1,6 +1,6 @@
 //! Orbits whose multipliers are large, where one shot over the period cannot hit its end.
 
-mod common;
+use crate::common;
 
 use common::numbers;
 use gear_bifurcations::model::equations::GearPair;

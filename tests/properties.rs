@@ -1,6 +1,6 @@
 //! Properties that must hold for any parameters, on generated ones.
 
-mod common;
+use crate::common;
 
 use common::{Generator, numbers};
 use gear_bifurcations::model::equations::GearPair;

@@ -1,6 +1,6 @@
 //! Multipliers, periodic orbits and responses against numbers from independent programs.
 
-mod common;
+use crate::common;
 
 use common::{floats, numbers, parameters, reference};
 use gear_bifurcations::error::{NumericsError, StudyError};

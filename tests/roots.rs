@@ -1,7 +1,7 @@
 //! Roots: brackets, and polynomials made from roots that are known.
 
-mod common;
-mod generated;
+use crate::common;
+use crate::generated;
 
 use common::Generator;
 use gear_bifurcations::error::NumericsError;

@@ -1,6 +1,6 @@
 //! The stability chart against multipliers computed point by point.
 
-mod common;
+use crate::common;
 
 use common::{Generator, numbers};
 use gear_bifurcations::model::linear::LinearPair;

@@ -1,8 +1,8 @@
 //! The theory against reference numbers, against its own identities on generated parameters, and against numerical
 //! derivatives and projections of what its formulas are derived from.
 
-mod common;
-mod theory_support;
+use crate::common;
+use crate::theory_support;
 
 use common::{floats, reference};
 use gear_bifurcations::error::{ModelError, TheoryError};

@@ -1,6 +1,6 @@
 //! First-order theory against exact multipliers as the pulsation vanishes: the error must fall as its square.
 
-mod common;
+use crate::common;
 
 use common::{numbers, reference};
 use gear_bifurcations::model::parameters::Parameters;

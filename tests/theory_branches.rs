@@ -1,8 +1,8 @@
 //! The perturbation equations against projections of what they are expanded from, the combination tongue, and the
 //! motions born at the tongues' edges.
 
-mod common;
-mod theory_support;
+use crate::common;
+use crate::theory_support;
 
 use std::f64::consts::PI;
 

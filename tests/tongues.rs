@@ -1,6 +1,6 @@
 //! Exact tongue edges and boundaries against numbers from independent programs.
 
-mod common;
+use crate::common;
 
 use common::{numbers, parameters, reference};
 use gear_bifurcations::model::parameters::Parameters;

@@ -1,6 +1,6 @@
 //! Invariant circles over the mesh frequency against single ones and the point where they are born.
 
-mod common;
+use crate::common;
 
 use common::numbers;
 use gear_bifurcations::error::StudyError;
