@@ -1,9 +1,7 @@
 //! Quasi-periodic motions, Lyapunov exponents, spectra, sweeps and contact margins, against reference numbers and against
 //! what must hold whatever the numbers.
 
-use crate::common;
-
-use common::{numbers, reference};
+use crate::common::{numbers, reference};
 use gear_bifurcations::error::{NumericsError, StudyError};
 use gear_bifurcations::model::parameters::{Parameters, Regime};
 use gear_bifurcations::study::contact::{contact_margin, least_load};

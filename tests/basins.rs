@@ -1,8 +1,6 @@
 //! Basins against motions followed to their end, and the shares of several workers against one another.
 
-use crate::common;
-
-use common::{Generator, numbers};
+use crate::common::{Generator, numbers};
 use gear_bifurcations::model::parameters::{Parameters, Regime};
 use gear_bifurcations::study::basin::{AttractorKind, Basin, BasinOptions, ESCAPED, UNDECIDED, basin};
 use gear_bifurcations::study::grid::Grid;

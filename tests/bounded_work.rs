@@ -1,9 +1,7 @@
 //! Whatever the parameters within their ranges, every study of attractors answers in finite numbers or refuses with a
 //! reason, and does so soon.
 
-use crate::common;
-
-use common::Generator;
+use crate::common::Generator;
 use gear_bifurcations::error::StudyError;
 use gear_bifurcations::model::parameters::{Parameters, Scale, TABLE, Value};
 use gear_bifurcations::study::basin::{BasinOptions, basin};

@@ -1,8 +1,6 @@
 //! Branches and diagrams against numbers from independent programs and against themselves.
 
-use crate::common;
-
-use common::{Generator, numbers, parameters, reference};
+use crate::common::{Generator, numbers, parameters, reference};
 use gear_bifurcations::error::StudyError;
 use gear_bifurcations::model::parameters::Parameters;
 use gear_bifurcations::study::branch::{

@@ -1,8 +1,6 @@
 //! Contact margins and least loads against one another and against motions in the dead zone.
 
-use crate::common;
-
-use common::numbers;
+use crate::common::numbers;
 use gear_bifurcations::model::parameters::{Parameters, Regime};
 use gear_bifurcations::study::contact::{LeastLoadWork, contact_margin, least_load, least_load_curve};
 use gear_bifurcations::study::grid::Grid;

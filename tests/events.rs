@@ -1,15 +1,12 @@
 //! Events along steps: nothing between two ends of a step is missed, nothing at a joint is told twice.
 
-use crate::common;
-use crate::generated;
-
-use common::Generator;
+use crate::common::Generator;
+use crate::generated::{below, parted, with_roots};
 use gear_bifurcations::numerics::ode::Field;
 use gear_bifurcations::numerics::ode::dense::DenseStep;
 use gear_bifurcations::numerics::ode::event::{Crossing, Watch, first_crossing, range, visit_crossings};
 use gear_bifurcations::numerics::ode::runge_kutta::{RungeKutta, RungeKuttaOptions};
 use gear_bifurcations::numerics::roots::{RootKind, Side};
-use generated::{below, parted, with_roots};
 use std::f64::consts::{PI, TAU};
 
 #[derive(Clone)]

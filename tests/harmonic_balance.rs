@@ -4,9 +4,7 @@
 //! T. M. Cameron, J. H. Griffin, An alternating frequency/time domain method for calculating the steady-state response
 //! of nonlinear dynamic systems, Journal of Applied Mechanics 56 (1989) 149-154, doi 10.1115/1.3176036.
 
-use crate::common;
-
-use common::parameters;
+use crate::common::parameters;
 use gear_bifurcations::model::equations::GearPair;
 use gear_bifurcations::model::parameters::{Parameters, Regime};
 use gear_bifurcations::study::branch::{Branch, BranchOptions, branch};

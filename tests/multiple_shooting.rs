@@ -1,8 +1,6 @@
 //! Orbits whose multipliers are large, where one shot over the period cannot hit its end.
 
-use crate::common;
-
-use common::numbers;
+use crate::common::numbers;
 use gear_bifurcations::model::equations::GearPair;
 use gear_bifurcations::model::parameters::Parameters;
 use gear_bifurcations::numerics::floquet::{self, Matrix6};

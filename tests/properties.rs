@@ -1,8 +1,6 @@
 //! Properties that must hold for any parameters, on generated ones.
 
-use crate::common;
-
-use common::{Generator, numbers};
+use crate::common::{Generator, numbers};
 use gear_bifurcations::model::equations::GearPair;
 use gear_bifurcations::model::linear::{self, LinearPair};
 use gear_bifurcations::model::parameters::{Parameters, Regime};

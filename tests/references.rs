@@ -1,8 +1,6 @@
 //! Multipliers, periodic orbits and responses against numbers from independent programs.
 
-use crate::common;
-
-use common::{floats, numbers, parameters, reference};
+use crate::common::{floats, numbers, parameters, reference};
 use gear_bifurcations::error::{NumericsError, StudyError};
 use gear_bifurcations::model::parameters::{Parameters, Regime};
 use gear_bifurcations::study::multipliers::multipliers;

@@ -1,14 +1,11 @@
 //! Roots: brackets, and polynomials made from roots that are known.
 
-use crate::common;
-use crate::generated;
-
-use common::Generator;
+use crate::common::Generator;
+use crate::generated::{below, parted, with_roots};
 use gear_bifurcations::error::NumericsError;
 use gear_bifurcations::numerics::roots::{
     Root, RootKind, bracketed_root, extrema, polynomial_roots, polynomial_value, stationary_points,
 };
-use generated::{below, parted, with_roots};
 use std::cell::Cell;
 
 fn kinds(roots: &[Root]) -> Vec<RootKind> {

@@ -1,9 +1,7 @@
 //! The gear pair integrated twice, by the Taylor series and by the Runge-Kutta pair: no number is believed that
 //! only one of the two gives. They share the parameters; one works on recurrences, the other on values.
 
-use crate::common;
-
-use common::{Generator, floats, numbers, parameters, reference};
+use crate::common::{Generator, floats, numbers, parameters, reference};
 use gear_bifurcations::model::equations::{Contact, GearPair, U};
 use gear_bifurcations::model::parameters::{Parameters, Regime};
 use gear_bifurcations::numerics::floquet;

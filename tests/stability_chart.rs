@@ -1,8 +1,6 @@
 //! The stability chart against multipliers computed point by point.
 
-use crate::common;
-
-use common::{Generator, numbers};
+use crate::common::{Generator, numbers};
 use gear_bifurcations::model::linear::LinearPair;
 use gear_bifurcations::model::parameters::{Parameters, Regime};
 use gear_bifurcations::numerics::floquet::{self, Matrix6};

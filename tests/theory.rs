@@ -1,10 +1,9 @@
 //! The theory against reference numbers, against its own identities on generated parameters, and against numerical
 //! derivatives and projections of what its formulas are derived from.
 
-use crate::common;
 use crate::theory_support;
 
-use common::{floats, reference};
+use crate::common::{floats, reference};
 use gear_bifurcations::error::{ModelError, TheoryError};
 use gear_bifurcations::theory::modes::{self, Modes};
 use gear_bifurcations::theory::primary::{self, Branch};

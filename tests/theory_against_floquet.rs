@@ -1,8 +1,6 @@
 //! First-order theory against exact multipliers as the pulsation vanishes: the error must fall as its square.
 
-use crate::common;
-
-use common::{numbers, reference};
+use crate::common::{numbers, reference};
 use gear_bifurcations::model::parameters::Parameters;
 use gear_bifurcations::study::multipliers::multipliers;
 use gear_bifurcations::theory::tongues;

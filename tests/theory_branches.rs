@@ -1,12 +1,12 @@
 //! The perturbation equations against projections of what they are expanded from, the combination tongue, and the
 //! motions born at the tongues' edges.
 
-use crate::common;
-use crate::theory_support;
-
 use std::f64::consts::PI;
 
-use common::Generator;
+use crate::common::Generator;
+use crate::theory_support::{
+    assert_close, determinant, eigenvalues, generated, numerical_jacobian, symmetric,
+};
 use gear_bifurcations::error::TheoryError;
 use gear_bifurcations::model::parameters::Symmetric;
 use gear_bifurcations::theory::modes::{self, Amplitudes, Expansion, Modes};
@@ -16,7 +16,6 @@ use gear_bifurcations::theory::{
     period_two_guess, primary_exponents,
 };
 use nalgebra::Complex;
-use theory_support::{assert_close, determinant, eigenvalues, generated, numerical_jacobian, symmetric};
 
 /// Cosine and sine coefficients of the right side of (33) at the three frequencies, which must be multiples of
 /// `1/denominator`: rows are the equations, columns the frequencies.

@@ -1,8 +1,6 @@
 //! Exact tongue edges and boundaries against numbers from independent programs.
 
-use crate::common;
-
-use common::{numbers, parameters, reference};
+use crate::common::{numbers, parameters, reference};
 use gear_bifurcations::model::parameters::Parameters;
 use gear_bifurcations::numerics::parametric::Parametric;
 use gear_bifurcations::numerics::roots::bracketed_root;

@@ -1,8 +1,6 @@
 //! Invariant circles over the mesh frequency against single ones and the point where they are born.
 
-use crate::common;
-
-use common::numbers;
+use crate::common::numbers;
 use gear_bifurcations::error::StudyError;
 use gear_bifurcations::study::torus::{TorusBranchWork, TorusEnd, torus, torus_branch};
 

@@ -22,8 +22,7 @@ const REGIME_MEANING: &str = "what the tooth force follows: the deviation alone 
 /// The plain object of a `GearError`.
 #[wasm_bindgen]
 pub fn defaults() -> Result<JsValue, JsValue> {
-    let mut lines = Lines::default();
-    let lines = TABLE.iter().map(|line| lines.record(line, None, line.default));
+    let lines = TABLE.iter().map(|line| parameter_record(line, None));
     let regime = regime_record(Parameters::default().regime.name());
     Ok(array(lines.chain([regime]))?)
 }

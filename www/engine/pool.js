@@ -37,12 +37,12 @@ import { faces, newWorker } from "./delivery.js";
 /** @typedef {{wanted: Wanted, answers: Answers, deaths: number, pictured: boolean}} Task  Deaths that it is to blame for. */
 /**
  * @typedef {object} Seat
- * @property {Worker | null} worker  Null until the first computation comes: a page with one figure needs no second one.
+ * @property {Worker | null} worker  Null until the first computation comes, for a page with one figure needs no second one, and where workers
+ *   were given up; the next computation tries once more.
  * @property {Map<number, Task>} tasks
  * @property {boolean} ready  The module runs in it.
  * @property {number} silent  Questions it has not answered.
  * @property {number} deaths  Workers that died here one after the other without ever being ready.
- * @property {boolean} closed  Given up; the next computation tries once more.
  * @property {number} current  The ticket of the computation that the worker turned to last; 0 for none.
  */
 
@@ -56,7 +56,7 @@ const PATIENCE_AT_START = 60;
 const HOPELESS = 3;
 
 /** A seat where nothing has been said yet. */
-const NEW = { worker: null, ready: false, silent: 0, closed: false, current: 0 };
+const NEW = { worker: null, ready: false, silent: 0, current: 0 };
 
 /** @param {number} cores */
 export function poolSize(cores) {
@@ -109,7 +109,7 @@ export class Pool {
   run(wanted, answers) {
     const ticket = ++this.#tickets;
     const seat = this.#seatFor(wanted);
-    if (seat.closed || seat.worker === null) this.#open(seat);
+    if (seat.worker === null) this.#open(seat);
     seat.tasks.set(ticket, { wanted, answers, deaths: 0, pictured: false });
     this.#ask(seat, ticket, wanted);
     this.#watch();
@@ -279,7 +279,7 @@ export class Pool {
       task.answers.failed(seat.ready ? deathNotice() : barredNotice());
     }
     if (hopeless) {
-      seat.closed = true;
+      seat.worker = null;
       return;
     }
     this.#open(seat);

@@ -34,7 +34,7 @@ pub fn check(options: &Options) -> Result<(), Failure> {
             None
         };
         before_wasm(&mut run, quick)?;
-        run.step(BUILD, |_| wasm.map_or(Ok(()), joined).and_then(|()| built()))?;
+        run.step(BUILD, |_| wasm.map_or(Ok(()), |thread| joined(BUILD, thread)?).and_then(|()| built()))?;
         with_wasm(&mut run, quick)
     });
     if let Err(failure) = &outcome {
@@ -47,8 +47,8 @@ pub fn check(options: &Options) -> Result<(), Failure> {
 }
 
 /// What a thread came to that cannot have panicked but by a fault of its own.
-fn joined(thread: ScopedJoinHandle<'_, Result<(), Failure>>) -> Result<(), Failure> {
-    thread.join().unwrap_or_else(|_| Err(Failure::invalid(BUILD, "the thread that compiles it panicked")))
+fn joined<T>(step: &str, thread: ScopedJoinHandle<'_, T>) -> Result<T, Failure> {
+    thread.join().map_err(|_| Failure::invalid(step, "the thread that does it panicked"))
 }
 
 /// Builds around the wasm that has been compiled.
@@ -216,8 +216,7 @@ fn journeys(check: &mut Run) -> Result<(), Failure> {
         })?;
         check.step(WEBKIT, |count| {
             let Some(aside) = aside else { return Ok(()) };
-            let panicked = |_| Failure::invalid(WEBKIT, "the thread that listens to it panicked");
-            let (said, (seen, outcome)) = aside.join().map_err(panicked)?;
+            let (said, (seen, outcome)) = joined(WEBKIT, aside)?;
             print!("{said}");
             *count += seen;
             outcome
