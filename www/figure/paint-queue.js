@@ -1,15 +1,13 @@
 /**
  * Draws figures: those in sight in animation frames, and no longer in one frame than the page can spare; the others
- * between frames, one at a time, for nobody sees when they change.
+ * between frames, one at a time, for nobody sees when they change. So is one in sight that is drawn for the first time: that takes
+ * as long again, and with the browser's own painting in one task it would hold the page up.
  *
  * @typedef {{readonly inSight: boolean, layOut(): void, paint(): void}} Painter  To be laid out is to be given its size, which takes what
  *   has changed around it into account.
  */
 
-/**
- * Time a frame may spend on drawing before the rest waits for the next one, ms. One figure is always drawn, and one that is drawn for
- * the first time is the last of its frame: it takes as long again, and so do layout and the browser's own painting.
- */
+/** Time a frame may spend on drawing before the rest waits for the next one, ms. One figure is always drawn. */
 const BUDGET = 12;
 
 /** @type {Set<Painter>} */
@@ -89,13 +87,19 @@ export function paintAll() {
   tellWhoAsked();
 }
 
+/** Whether a painter is drawn in a frame. @param {Painter} painter */
+function isForFrame(painter) {
+  return painter.inSight && warm.has(painter);
+}
+
 function schedule() {
   const painters = [...waiting];
-  if (!framed && painters.some(({ inSight }) => inSight)) {
+  const framing = painters.filter(isForFrame).length;
+  if (!framed && framing > 0) {
     framed = true;
     requestAnimationFrame(paintFrame);
   }
-  if (!posted && painters.some(({ inSight }) => !inSight)) {
+  if (!posted && painters.length > framing) {
     posted = true;
     between.port2.postMessage(null);
   }
@@ -104,10 +108,9 @@ function schedule() {
 function paintFrame() {
   framed = false;
   const start = performance.now();
-  for (const painter of [...waiting].filter(({ inSight }) => inSight)) {
-    const cold = !warm.has(painter);
+  for (const painter of [...waiting].filter(isForFrame)) {
     paint(painter);
-    if (cold || performance.now() - start > BUDGET) break;
+    if (performance.now() - start > BUDGET) break;
   }
   tellWhoAsked();
   schedule();
@@ -115,15 +118,14 @@ function paintFrame() {
 
 function paintBetween() {
   posted = false;
+  const painters = [...waiting];
+  const next = painters.find((painter) => painter.inSight && !warm.has(painter)) ?? painters.find(({ inSight }) => !inSight);
+  if (next?.inSight) paint(next);
   // What is seen comes first: the frame that is on its way asks again.
-  if (framed) return;
-  for (const painter of waiting) {
-    if (painter.inSight) continue;
-    // Before it is drawn for the first time its surroundings have changed, and to lay them out takes half as long as to draw it: each has a task.
-    if (warm.has(painter) || laidOut === painter) paint(painter);
-    else (laidOut = painter).layOut();
-    break;
-  }
+  else if (framed) return;
+  // Before it is drawn for the first time its surroundings have changed, and to lay them out takes half as long as to draw it: each has a task.
+  else if (next !== undefined && (warm.has(next) || laidOut === next)) paint(next);
+  else (laidOut = next ?? null)?.layOut();
   tellWhoAsked();
   schedule();
 }
