@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { allFinite, gear, refused, secondsComputed } from "./support.mjs";
+import { allFinite, checkRefusal, gear, refused, secondsComputed } from "./support.mjs";
 
 /** A getter that throws, an object that hides, and others that are no plain objects. */
 const hostile = {
@@ -93,8 +93,9 @@ function refusedOrFinite(run, what) {
   let answer;
   try {
     answer = run();
-  } catch {
-    refused(run, {}, what);
+  } catch (thrown) {
+    // Not asked a second time: a refusal may be the end of a long search.
+    checkRefusal(thrown, {}, what);
     return;
   }
   allFinite(answer, what);
