@@ -10,6 +10,7 @@
 
 import { startEngine } from "../engine/client.js";
 import { faces } from "../engine/delivery.js";
+import { fetchedByWorker } from "../engine/fetching.js";
 import { EmbeddedFigure } from "./embedded-figure.js";
 import { equip } from "./equip.js";
 
@@ -31,7 +32,7 @@ EmbeddedFigure.wake = () => {
   if (awake) return;
   awake = true;
   loadFaces();
-  equip(startEngine({ draws: true }), new URL("../../", import.meta.url).href, () => import("./element-exports.js"));
+  equip(startEngine({ draws: true, fetch: fetchedByWorker }), new URL("../../", import.meta.url).href, () => import("./element-exports.js"));
 };
 
 // A page may name the script twice, or have an element of this name: the first one stays.

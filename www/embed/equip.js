@@ -45,7 +45,8 @@ export function equip(starting, home, exporting, { theme = "auto" } = {}) {
       store,
       priority: PRIORITY,
       error: (/** @type {import("../figure/services.js").GearErrorFields} */ fields) => new GearError(fields),
-      later: whenIdle,
+      // At once: a frame of their own for the controls would cost the page more than they do.
+      later: (/** @type {() => void} */ work) => work(),
       painted: mark,
     };
   }, refuse);
@@ -63,12 +64,6 @@ export function equip(starting, home, exporting, { theme = "auto" } = {}) {
 function refuse(thrown) {
   const reason = (thrown instanceof Error ? thrown.message : String(thrown)).replace(/\.$/, "");
   throw new GearError({ code: "load", parameter: null, given: null, allowed: null, message: say("embed.still", { reason }) });
-}
-
-/** @param {() => void} work */
-function whenIdle(work) {
-  if ("requestIdleCallback" in window) requestIdleCallback(work, { timeout: 300 });
-  else setTimeout(work);
 }
 
 let marked = false;

@@ -8,6 +8,7 @@
  */
 
 import { startEngine } from "../engine/client.js";
+import { fetchedByWorker } from "../engine/fetching.js";
 import { isReserved } from "../figure/attributes.js";
 import { EmbeddedFigure } from "./embedded-figure.js";
 import { equip } from "./equip.js";
@@ -47,7 +48,7 @@ addEventListener("message", (event) => {
 function equipOnce() {
   let awake = false;
   EmbeddedFigure.wake = () => {
-    if (!awake) equip(startEngine({ draws: true }), new URL("../../", import.meta.url).href, () => import("./frame-exports.js"));
+    if (!awake) equip(startEngine({ draws: true, fetch: fetchedByWorker }), new URL("../../", import.meta.url).href, () => import("./frame-exports.js"));
     awake = true;
   };
 }

@@ -84,15 +84,18 @@ export class Engine {
   /**
    * @param {Gear} gear
    * @param {Pool} pool
-   * @param {{early?: Early | null, draws?: boolean}} [options]
+   * @param {object} [options]
+   * @param {Early | null} [options.early]
+   * @param {boolean} [options.draws]
+   * @param {{figures: FigureInfo[], defaults: ParameterInfo[]}} [options.known]  What the module would say of itself.
    */
-  constructor(gear, pool, { early = null, draws = false } = {}) {
+  constructor(gear, pool, { early = null, draws = false, known = { figures: gear.figures(), defaults: gear.defaults() } } = {}) {
     this.#gear = gear;
     this.#pool = pool;
     this.#early = early;
     this.draws = draws;
-    this.figures = new Map(gear.figures().map((info) => [info.id, info]));
-    const parameters = [...gear.defaults(), ...[...this.figures.values()].flatMap((info) => info.parameters)];
+    this.figures = new Map(known.figures.map((info) => [info.id, info]));
+    const parameters = [...known.defaults, ...[...this.figures.values()].flatMap((info) => info.parameters)];
     this.vocabulary = new Map([...parameters.flatMap(shortForm), ...parameters].map((info) => [info.name, info]));
   }
 
@@ -412,17 +415,21 @@ function askEarly(pool, id) {
  * @param {object} [options]
  * @param {string | null} [options.first]  A figure that will be asked for first, with its own parameters: computed as soon as can be.
  * @param {boolean} [options.draws]  Whether workers draw first pictures, which takes more time in all and less of the page's own.
+ * @param {() => Promise<(import("./protocol.js").Fetched & {worker: Worker}) | null>} [options.fetch]  Fetches the module in a worker; null where
+ *   that cannot be.
  * @returns {Promise<Engine>} rejected with a `GearError` of code `load`
  */
-export async function startEngine({ first = null, draws = false } = {}) {
-  const loading = Promise.resolve(wasm()).then((source) => load(source));
+export async function startEngine({ first = null, draws = false, fetch } = {}) {
+  const fetched = fetch && (await fetch());
+  const loading = fetched ? load(fetched.module) : Promise.resolve(wasm()).then((source) => load(source));
   const pool = new Pool(
     loading.then((gear) => gear.module),
     poolSize(navigator.hardwareConcurrency ?? 2),
     draws,
+    fetched?.worker ?? null,
   );
   const early = first === null ? null : askEarly(pool, first);
-  const engine = new Engine(await loading, pool, { early, draws });
+  const engine = new Engine(await loading, pool, { early, draws, ...(fetched && { known: fetched }) });
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) engine.rest();
   });

@@ -84,6 +84,10 @@ export async function load(source) {
   } catch (thrown) {
     throw ownError("load", `the module could not be loaded: ${words(thrown)}`);
   }
+  // It is started with the first call; by then it is too late to say that it is another.
+  if (!WebAssembly.Module.exports(module).some(({ name }) => name === "figures")) {
+    throw ownError("load", "the module could not be started: it is not that of gear-bifurcations");
+  }
   return createGear(module);
 }
 
@@ -151,12 +155,11 @@ function isGearErrorFields(thrown) {
  * @returns {Gear}
  */
 function createGear(module) {
-  /** Null while the module rests. @type {Bindings | null} */
+  /** Null before the first call, and while the module rests. @type {Bindings | null} */
   let bindings = null;
   let bytes = () => 0;
   /** Computations that are under way in the instance. */
   let running = 0;
-  bindings = instantiate();
 
   /** @returns {Bindings} */
   function instantiate() {

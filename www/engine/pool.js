@@ -83,13 +83,14 @@ export class Pool {
    * @param {Promise<WebAssembly.Module>} module
    * @param {number} size
    * @param {boolean} draws  Whether workers will be asked for pictures.
+   * @param {Worker | null} [first]  One that is up already and has its faces.
    */
-  constructor(module, size, draws) {
+  constructor(module, size, draws, first = null) {
     this.#module = module;
     this.#draws = draws;
     this.#seats = Array.from({ length: size }, () => ({ ...NEW, tasks: new Map(), deaths: 0 }));
     // What is asked first is quick, as a rule: this worker starts while the module is fetched.
-    this.#open(this.#seats[0]);
+    this.#open(this.#seats[0], first);
   }
 
   get size() {
@@ -166,12 +167,17 @@ export class Pool {
     if (parts > 1) return this.#seats[part % this.#seats.length];
     const [quick, ...others] = this.#seats;
     if (!heavy || others.length === 0) return quick;
-    return others.reduce((least, seat) => (seat.tasks.size < least.tasks.size ? seat : least));
+    const least = others.reduce((best, seat) => (seat.tasks.size < best.tasks.size ? seat : best));
+    // Where workers draw there is one figure, as a rule: to start another worker for it takes as long as to compute it.
+    return this.#draws && least.worker === null && quick.tasks.size === 0 ? quick : least;
   }
 
-  /** @param {Seat} seat */
-  #open(seat) {
-    const worker = newWorker();
+  /**
+   * @param {Seat} seat
+   * @param {Worker | null} [up]
+   */
+  #open(seat, up = null) {
+    const worker = up ?? newWorker();
     Object.assign(seat, { ...NEW, worker });
     worker.onmessage = ({ data }) => {
       if (seat.worker === worker) this.#hear(seat, data);
@@ -185,7 +191,7 @@ export class Pool {
       if (seat.worker === worker) this.#replace(seat);
     };
     // They come while the module is still compiled.
-    if (this.#draws) worker.postMessage({ type: "faces", faces: faces() });
+    if (this.#draws && up === null) worker.postMessage({ type: "faces", faces: faces() });
     this.#module.then(
       (module) => {
         if (seat.worker !== worker) return;
@@ -223,7 +229,7 @@ export class Pool {
       seat.ready = true;
       seat.deaths = 0;
     }
-    if (message.type === "ready" || message.type === "pong") return;
+    if (message.type === "ready" || message.type === "fetched" || message.type === "pong") return;
     if (message.type === "step") {
       seat.current = message.ticket;
       return;

@@ -10,6 +10,8 @@
  * @typedef {{family: string, source: string, style?: string, weight?: string, unicodeRange?: string}} Face  The source is an absolute address.
  * @typedef {Pick<Required<import("../../gear-bifurcations.js").DrawOptions>, "theme" | "density" | "view"> & {width: number, height: number}} Wanted
  *   How a picture is to be drawn, on a backing store of so many pixels.
+ * @typedef {Pick<import("../../gear-bifurcations.js").Gear, "module"> & {figures: import("../../gear-bifurcations.js").FigureInfo[], defaults: import("../../gear-bifurcations.js").ParameterInfo[]}} Fetched
+ *   The compiled module, and what it says of itself: whoever only wants to know that need not start it.
  * @typedef {{bitmap: ImageBitmap, frames: import("../../gear-bifurcations.js").FrameMap[], looks: import("../../gear-bifurcations.js").SeriesLook[]}} Drawn
  */
 
@@ -17,6 +19,7 @@
  * From the page to a worker.
  *
  * @typedef {{type: "start", module: WebAssembly.Module}} Start
+ * @typedef {{type: "fetch"}} Fetch  Fetch the module and start it: see `fetching.js`.
  * @typedef {{type: "faces", faces: readonly Face[]}} Faces  Of the drawings' typeface.
  * @typedef {{type: "run", ticket: number, id: string, given: Given, priority: number, part: number, parts: number, picture: Wanted | null, held: boolean}} Run
  *   With a picture, its first part and its end come drawn. Held, it stops at its first picture until `go-on`.
@@ -26,19 +29,20 @@
  * @typedef {{type: "pace", firstPictures: boolean}} Pace  Whether to stop every computation at its first picture.
  * @typedef {{type: "rest"}} Rest  Give memory back, once there is nothing to compute.
  * @typedef {{type: "fail"}} Fail  Throw an error outside any computation: how tests make a worker die.
- * @typedef {Start | Faces | Run | GoOn | Cancel | Ping | Pace | Rest | Fail} ToWorker
+ * @typedef {Start | Fetch | Faces | Run | GoOn | Cancel | Ping | Pace | Rest | Fail} ToWorker
  */
 
 /**
  * From a worker to the page. No answer at all follows a `cancel`.
  *
  * @typedef {{type: "ready"}} Ready
+ * @typedef {{type: "fetched", fetched: Fetched | null}} Answer  Null where it does not come.
  * @typedef {{type: "partial", ticket: number, figure: Figure, drawn: Drawn | null}} Partial
  * @typedef {{type: "done", ticket: number, figure: Figure, drawn: Drawn | null}} Done
  * @typedef {{type: "failed", ticket: number, error: GearErrorFields}} Failed
  * @typedef {{type: "pong"}} Pong
  * @typedef {{type: "step", ticket: number}} Step  It turns to this computation: if it dies now, this one is to blame.
- * @typedef {Ready | Partial | Done | Failed | Pong | Step} FromWorker
+ * @typedef {Ready | Answer | Partial | Done | Failed | Pong | Step} FromWorker
  */
 
 /** What a reader is waiting for comes before what is out of sight. */

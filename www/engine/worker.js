@@ -17,8 +17,8 @@ import { buffersOf, giveBack } from "./protocol.js";
 const PARTIAL_INTERVAL = 50;
 /** So long may a computation take to be complete before what there is of it is shown, ms: half a step. */
 const MOMENT = 8;
-/** The same for what is drawn here too, ms: two drawings would take longer than that. */
-const LONG_MOMENT = 40;
+/** The same for what is drawn here too, ms: two drawings, and for the page two pictures to show, would take longer than that. */
+const LONG_MOMENT = 100;
 /** So long a first picture waits for the faces of the drawings, ms. */
 const LATE = 150;
 /** A computation that has taken so many steps lets those go first that have not: they have their answers soon. */
@@ -208,6 +208,16 @@ self.addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }
         () => {},
       );
       void work();
+      break;
+    case "fetch":
+      loading ??= load();
+      loading.then(
+        (gear) => post({ type: "fetched", fetched: { module: gear.module, figures: gear.figures(), defaults: gear.defaults() } }),
+        () => {
+          loading = null;
+          post({ type: "fetched", fetched: null });
+        },
+      );
       break;
     case "faces":
       lettering = loadFaces(data.faces);
