@@ -273,7 +273,8 @@ function rounded(omega, width) {
  * @returns {FrameMap | null}
  */
 export function mapOf({ figure }) {
-  if (figure.clientWidth === 0) return null;
+  // Asked first, for to ask for its size has everything laid out that has changed, be it in another view.
+  if (figure.closest("[hidden]") !== null || figure.clientWidth === 0) return null;
   return figure.map()?.frames[0] ?? null;
 }
 

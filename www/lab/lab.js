@@ -68,6 +68,7 @@ class Laboratory {
   #quiet;
   #said = "";
   #frame = 0;
+  #askFrame = 0;
 
   /**
    * @param {HTMLElement} host
@@ -111,7 +112,7 @@ class Laboratory {
       this.#cursor.show();
       this.#cursor.pin(this.#compare.places);
       this.#hear();
-      this.#askHidden();
+      this.#askHiddenSoon();
     });
     store.subscribe((state, before) => shareWindows(store, before, charts));
     new ResizeObserver(() => this.#cursor.show()).observe(left);
@@ -128,7 +129,7 @@ class Laboratory {
     this.#begin();
     this.#register();
     this.#tell();
-    requestAnimationFrame(() => this.#askHidden());
+    this.#askHiddenSoon();
   }
 
   /** A link that gives a gear pair alone gives the point too. */
@@ -161,8 +162,17 @@ class Laboratory {
     });
   }
 
-  /** What the sentence needs is asked for although its chart may not be shown, as on a phone. */
+  /** Once in a frame, for to ask what is shown has everything laid out. */
+  #askHiddenSoon() {
+    this.#askFrame ||= requestAnimationFrame(() => {
+      this.#askFrame = 0;
+      this.#askHidden();
+    });
+  }
+
+  /** What the sentence needs is asked for although its chart may not be shown, as on a phone; but not from another view, where nobody reads it. */
   #askHidden() {
+    if (this.#services.store.state.view !== "lab") return;
     for (const [id, { figure }] of this.#charts) {
       if (!SPOKEN.has(id) || figure.clientWidth > 0) continue;
       figure.data().then(
