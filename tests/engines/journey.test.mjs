@@ -10,7 +10,7 @@ import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { pause, start, until } from "./driver.mjs";
 import { ask, differences, questions } from "./numbers.mjs";
-import { catchFiles, dataOf, focusOn, inkOf, installHands, lastFile, markedAt, middleOf, placesOf } from "./page.mjs";
+import { catchFiles, dataOf, focusOn, inkOf, installHands, isLaidOut, lastFile, markedAt, middleOf, placesOf, standStill } from "./page.mjs";
 import { DIST, serveHost, serveSite, withHead } from "./servers.mjs";
 
 /** @typedef {import("./page.mjs").Wanted} Wanted */
@@ -79,6 +79,8 @@ async function open(address) {
   await browser.open(address);
   await browser.evaluate(installHands);
   await until("all figures are drawn", () => browser.evaluate(markedAt, "all-figures"));
+  await until("all has its place", () => browser.evaluate(isLaidOut));
+  await browser.evaluate(standStill);
 }
 
 /** @param {Wanted} wanted */

@@ -74,6 +74,19 @@ export function installHands() {
     return context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
   };
   Object.assign(globalThis, { __hands: { all, find, middle, nameOf, readPixels, visible } });
+  // A hand is always on the page: what is done while nobody does anything would take half of the machine from the journey beside this one.
+  setInterval(() => dispatchEvent(new Event("input")), 500);
+}
+
+/** Whether all of the story has its place: sections that come into being above it would move what is aimed at. */
+export function isLaidOut() {
+  const story = document.querySelector('main > [data-view="story"]');
+  return story === null || story.clientWidth === 0 || document.documentElement.dataset.opening === undefined;
+}
+
+/** Stops what moves, which would take a part of the machine as long as the journey goes on. */
+export function standStill() {
+  for (const figure of document.querySelectorAll("gear-figure")) /** @type {GearFigure} */ (figure).pause();
 }
 
 /** Where to click. @param {Wanted} wanted */
