@@ -61,20 +61,21 @@ test("arrow keys step in the number box", async ({ page }) => {
   expect((await data(page, "3")).params.zeta).toBe(0.0191);
 });
 
-for (const [what, written, sentence] of [
-  ["out of range", "1.5", "*k*0 must lie from 0 to 1; 1.5 was given."],
-  ["no number", "a lot", "*k*0 must be a number from 0 to 1; “a lot” is none."],
-  ["empty", "", "*k*0 must be a number from 0 to 1; nothing was given."],
-  ["not finite", "1e999", "*k*0 must be a number from 0 to 1; “1e999” is none."],
-]) {
-  test(`bad input, ${what}: a sentence beside the control, the picture kept, and mended again`, async ({ page }) => {
-    await open(page);
-    const { box, complaint } = await control(page, "3", "k0");
-    await settled(page, "3");
-    const before = await figure(page, "3").evaluate(picture);
-    await page.evaluate(() => {
-      document.addEventListener("gear-error", (event) => Object.assign(window, { told: /** @type {CustomEvent} */ (event).detail }));
-    });
+test("bad input: a sentence beside the control, the picture kept, and mended again", async ({ page }) => {
+  await open(page);
+  const { box, complaint } = await control(page, "3", "k0");
+  await settled(page, "3");
+  const before = await figure(page, "3").evaluate(picture);
+  await page.evaluate(() => {
+    document.addEventListener("gear-error", (event) => Object.assign(window, { told: /** @type {CustomEvent} */ (event).detail }));
+  });
+  for (const [written, sentence] of [
+    ["1.5", "*k*0 must lie from 0 to 1; 1.5 was given."],
+    ["a lot", "*k*0 must be a number from 0 to 1; “a lot” is none."],
+    ["", "*k*0 must be a number from 0 to 1; nothing was given."],
+    ["1e999", "*k*0 must be a number from 0 to 1; “1e999” is none."],
+  ]) {
+    await page.evaluate(() => Object.assign(window, { told: null }));
     await box.fill(written);
     await box.press("Enter");
     await expect(complaint).toHaveText(sentence.replaceAll("*", ""));
@@ -83,13 +84,16 @@ for (const [what, written, sentence] of [
     await settled(page, "3");
     expect(await figure(page, "3").evaluate(picture)).toBe(before);
     expect((await data(page, "3")).params.k0).toBe(0.5);
-    await box.fill("0.4");
-    await box.press("Enter");
-    await expect(complaint).toHaveText("");
-    await expect(box).not.toHaveAttribute("aria-invalid");
-    expect((await data(page, "3")).params.k0).toBe(0.4);
-  });
-}
+    for (const mended of [0.4, 0.5]) {
+      await box.fill(String(mended));
+      await box.press("Enter");
+      await expect(complaint).toHaveText("");
+      await expect(box).not.toHaveAttribute("aria-invalid");
+      expect((await data(page, "3")).params.k0).toBe(mended);
+    }
+    await settled(page, "3");
+  }
+});
 
 test("each box says its range where a screen reader finds it", async ({ page }) => {
   await open(page);
