@@ -28,7 +28,7 @@ test("one script brings the element to any page, and it wears its own clothes", 
   expect(await page.locator("#far").evaluate((element) => element.shadowRoot?.querySelector(".panel"))).toBeNull();
 });
 
-test("its first picture comes drawn from a worker, and is what the page would have drawn", async ({ page, host, baseURL }) => {
+test("its first picture comes drawn from the one worker there is, and is what the page would have drawn, which starts the module only then", async ({ page, host, baseURL }) => {
   await page.addInitScript(() => {
     const shown = (/** @type {any} */ (window).shown = /** @type {ImageBitmap[]} */ ([]));
     const draw = CanvasRenderingContext2D.prototype.drawImage;
@@ -36,9 +36,22 @@ test("its first picture comes drawn from a worker, and is what the page would ha
       if (all[0] instanceof ImageBitmap && this.canvas.getRootNode() instanceof ShadowRoot) shown.push(all[0]);
       return /** @type {any} */ (draw).apply(this, all);
     };
+    const Plain = WebAssembly.Instance;
+    Object.assign(window, { started: 0 });
+    WebAssembly.Instance = /** @type {any} */ (
+      class extends Plain {
+        /** @param {WebAssembly.Module} module @param {WebAssembly.Imports} imports */
+        constructor(module, imports) {
+          super(module, imports);
+          /** @type {any} */ (window).started += 1;
+        }
+      }
+    );
   });
   await page.goto(host({ body: `${LISTEN}${ELEMENT(baseURL)}<main style="inline-size: 40rem"><gear-figure figure="11a" theme="light" controls="none"></gear-figure></main>` }));
   await hears(page, "gear-ready");
+  const started = () => page.evaluate(() => /** @type {any} */ (window).started);
+  expect([page.workers().length, await started()]).toEqual([1, 0]);
   const found = await page.locator("gear-figure").evaluate(async (element) => {
     const canvas = /** @type {HTMLCanvasElement} */ (element.shadowRoot?.querySelector("canvas"));
     const { width, height } = canvas;
@@ -65,6 +78,7 @@ test("its first picture comes drawn from a worker, and is what the page would ha
     };
     return { shown, later: /** @type {any} */ (window).shown.length - shown, dark: differing(worn[0]), light: differing(worn[1]) };
   });
+  expect(await started()).toBe(1);
   expect(found.shown).toBeGreaterThan(0);
   expect(found.later).toBe(0);
   expect(found.dark).toBeGreaterThan(0.5);

@@ -32,7 +32,7 @@ EmbeddedFigure.wake = () => {
   if (awake) return;
   awake = true;
   loadFaces();
-  equip(startEngine({ draws: true, fetch: fetchedByWorker }), new URL("../../", import.meta.url).href, () => import("./element-exports.js"));
+  equip(startEngine({ draws: true, fetchModule: fetchedByWorker }), new URL("../../", import.meta.url).href, () => import("./element-exports.js"));
 };
 
 // A page may name the script twice, or have an element of this name: the first one stays.

@@ -48,7 +48,7 @@ addEventListener("message", (event) => {
 function equipOnce() {
   let awake = false;
   EmbeddedFigure.wake = () => {
-    if (!awake) equip(startEngine({ draws: true, fetch: fetchedByWorker }), new URL("../../", import.meta.url).href, () => import("./frame-exports.js"));
+    if (!awake) equip(startEngine({ draws: true, fetchModule: fetchedByWorker }), new URL("../../", import.meta.url).href, () => import("./frame-exports.js"));
     awake = true;
   };
 }

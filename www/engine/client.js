@@ -415,12 +415,12 @@ function askEarly(pool, id) {
  * @param {object} [options]
  * @param {string | null} [options.first]  A figure that will be asked for first, with its own parameters: computed as soon as can be.
  * @param {boolean} [options.draws]  Whether workers draw first pictures, which takes more time in all and less of the page's own.
- * @param {() => Promise<(import("./protocol.js").Fetched & {worker: Worker}) | null>} [options.fetch]  Fetches the module in a worker; null where
+ * @param {() => Promise<(import("./protocol.js").Fetched & {worker: Worker}) | null>} [options.fetchModule]  Fetches the module in a worker; null where
  *   that cannot be.
  * @returns {Promise<Engine>} rejected with a `GearError` of code `load`
  */
-export async function startEngine({ first = null, draws = false, fetch } = {}) {
-  const fetched = fetch && (await fetch());
+export async function startEngine({ first = null, draws = false, fetchModule } = {}) {
+  const fetched = fetchModule && (await fetchModule());
   const loading = fetched ? load(fetched.module) : Promise.resolve(wasm()).then((source) => load(source));
   const pool = new Pool(
     loading.then((gear) => gear.module),

@@ -211,13 +211,12 @@ self.addEventListener("message", (/** @type {MessageEvent<ToWorker>} */ { data }
       break;
     case "fetch":
       loading ??= load();
-      loading.then(
-        (gear) => post({ type: "fetched", fetched: { module: gear.module, figures: gear.figures(), defaults: gear.defaults() } }),
-        () => {
+      loading
+        .then((gear) => post({ type: "fetched", fetched: { module: gear.module, figures: gear.figures(), defaults: gear.defaults() } }))
+        .catch(() => {
           loading = null;
           post({ type: "fetched", fetched: null });
-        },
-      );
+        });
       break;
     case "faces":
       lettering = loadFaces(data.faces);
