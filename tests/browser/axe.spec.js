@@ -5,7 +5,7 @@ import { expect, figure, open, settled, test } from "./page.js";
 
 /** @param {import("@playwright/test").Page} page */
 async function faults(page) {
-  // What is in order it need not describe, which takes most of its time.
+  // What is in order it need not describe, which takes a sixth of its time.
   const { violations } = await new AxeBuilder({ page }).options({ resultTypes: ["violations"] }).analyze();
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target, failureSummary }) => `${target.join(" ")} ${failureSummary}`).join(" | ")}`);
 }

@@ -62,7 +62,7 @@ test("10,000 addresses by hash change: no exception, always a page", async ({ pa
     await page.evaluate(async (hashes) => {
       for (const [index, hash] of hashes.entries()) {
         location.hash = hash;
-        if (index % 50 === 0) await new Promise((resolve) => setTimeout(resolve));
+        if (index % 25 === 0) await new Promise((resolve) => setTimeout(resolve));
       }
       await new Promise((resolve) => setTimeout(resolve));
     }, addresses(batch + 1, 500));
