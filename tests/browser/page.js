@@ -1,6 +1,7 @@
 // What every browser test begins with: a page that must stay silent and at home, and ways to ask its figures.
 
 import { test as base, expect } from "@playwright/test";
+import { isLaidOut, markedAt } from "../engines/page.mjs";
 
 /**
  * @typedef {import("@playwright/test").Page} Page
@@ -93,11 +94,8 @@ function installReader() {
  */
 export async function open(page, address = "./?test") {
   await page.goto(address);
-  await page.waitForFunction(() => {
-    if (performance.getEntriesByName("all-figures").length === 0) return false;
-    const shown = (document.querySelector('main > [data-view="story"]')?.clientWidth ?? 0) > 0;
-    return !shown || document.documentElement.dataset.opening === undefined;
-  }, undefined, { timeout: 30_000 });
+  await page.waitForFunction(markedAt, "all-figures", { timeout: 30_000 });
+  await page.waitForFunction(isLaidOut, undefined, { timeout: 30_000 });
 }
 
 /**
@@ -107,7 +105,7 @@ export async function open(page, address = "./?test") {
  * @param {string} name
  */
 export function marked(page, name) {
-  return page.evaluate((wanted) => performance.getEntriesByName(wanted)[0]?.startTime ?? null, name);
+  return page.evaluate(markedAt, name);
 }
 
 /**

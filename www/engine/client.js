@@ -87,7 +87,7 @@ export class Engine {
    * @param {object} [options]
    * @param {Early | null} [options.early]
    * @param {boolean} [options.draws]
-   * @param {{figures: FigureInfo[], defaults: ParameterInfo[]}} [options.known]  What the module would say of itself.
+   * @param {Omit<import("./protocol.js").Fetched, "module">} [options.known]  What the module would say of itself.
    */
   constructor(gear, pool, { early = null, draws = false, known = { figures: gear.figures(), defaults: gear.defaults() } } = {}) {
     this.#gear = gear;
@@ -421,7 +421,7 @@ function askEarly(pool, id) {
  */
 export async function startEngine({ first = null, draws = false, fetchModule } = {}) {
   const fetched = fetchModule && (await fetchModule());
-  const loading = fetched ? load(fetched.module) : Promise.resolve(wasm()).then((source) => load(source));
+  const loading = Promise.resolve(fetched?.module ?? wasm()).then((source) => load(source));
   const pool = new Pool(
     loading.then((gear) => gear.module),
     poolSize(navigator.hardwareConcurrency ?? 2),

@@ -10,7 +10,7 @@
  * @typedef {{family: string, source: string, style?: string, weight?: string, unicodeRange?: string}} Face  The source is an absolute address.
  * @typedef {Pick<Required<import("../../gear-bifurcations.js").DrawOptions>, "theme" | "density" | "view"> & {width: number, height: number}} Wanted
  *   How a picture is to be drawn, on a backing store of so many pixels.
- * @typedef {Pick<import("../../gear-bifurcations.js").Gear, "module"> & {figures: import("../../gear-bifurcations.js").FigureInfo[], defaults: import("../../gear-bifurcations.js").ParameterInfo[]}} Fetched
+ * @typedef {{module: WebAssembly.Module, figures: import("../../gear-bifurcations.js").FigureInfo[], defaults: import("../../gear-bifurcations.js").ParameterInfo[]}} Fetched
  *   The compiled module, and what it says of itself: whoever only wants to know that need not start it.
  * @typedef {{bitmap: ImageBitmap, frames: import("../../gear-bifurcations.js").FrameMap[], looks: import("../../gear-bifurcations.js").SeriesLook[]}} Drawn
  */

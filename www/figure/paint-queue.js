@@ -120,12 +120,14 @@ function paintBetween() {
   posted = false;
   const painters = [...waiting];
   const next = painters.find((painter) => painter.inSight && !warm.has(painter)) ?? painters.find(({ inSight }) => !inSight);
-  if (next?.inSight) paint(next);
   // What is seen comes first: the frame that is on its way asks again.
-  else if (framed) return;
-  // Before it is drawn for the first time its surroundings have changed, and to lay them out takes half as long as to draw it: each has a task.
-  else if (next !== undefined && (warm.has(next) || laidOut === next)) paint(next);
-  else (laidOut = next ?? null)?.layOut();
+  if (framed && !next?.inSight) return;
+  if (next !== undefined) {
+    // Out of sight its surroundings have changed before it is drawn for the first time, and to lay them out takes half as long as to draw it: each
+    // has a task.
+    if (next.inSight || warm.has(next) || laidOut === next) paint(next);
+    else (laidOut = next).layOut();
+  }
   tellWhoAsked();
   schedule();
 }

@@ -13,6 +13,7 @@ import { decimalSign, number, onLanguage, say } from "../words/say.js";
 import { START } from "./charts.js";
 import { button, element, named } from "../controls/dom.js";
 import { contact, sentence } from "./facts.js";
+import { onceAFrame } from "./once-a-frame.js";
 import { numberOf, PAIRS, valueOf } from "../values.js";
 
 /** What is computed of a pinned state. */
@@ -29,7 +30,7 @@ export class Compare {
   #known = new Map();
   /** @type {Figures} */
   #present = new Map();
-  #frame = 0;
+  show = onceAFrame(() => this.#show());
   /** Figures that are drawn already, with their themes. @type {WeakMap<Figure, {canvas: HTMLCanvasElement, theme: string}>} */
   #pictures = new WeakMap();
 
@@ -81,14 +82,6 @@ export class Compare {
   know(figures) {
     this.#present = figures;
     this.show();
-  }
-
-  show() {
-    if (this.#frame !== 0) return;
-    this.#frame = requestAnimationFrame(() => {
-      this.#frame = 0;
-      this.#show();
-    });
   }
 
   #ask() {

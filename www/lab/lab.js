@@ -17,6 +17,7 @@ import { Creep } from "./creep.js";
 import { Cursor } from "./cursor.js";
 import { button, choice, element, named, spoken } from "../controls/dom.js";
 import { contact, sentence } from "./facts.js";
+import { onceAFrame } from "./once-a-frame.js";
 import { Pair } from "./pair.js";
 import { createThumb, Parameters } from "./parameters.js";
 import { pickOrbits, pickStarts } from "./pick.js";
@@ -67,8 +68,10 @@ class Laboratory {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #quiet;
   #said = "";
-  #frame = 0;
-  #askFrame = 0;
+  /** Says anew what is so, once for all that comes within a frame. */
+  #later = onceAFrame(() => this.#tell());
+  /** Once a frame, for to ask what is shown has everything laid out. */
+  #askHiddenSoon = onceAFrame(() => this.#askHidden());
 
   /**
    * @param {HTMLElement} host
@@ -162,14 +165,6 @@ class Laboratory {
     });
   }
 
-  /** Once in a frame, for to ask what is shown has everything laid out. */
-  #askHiddenSoon() {
-    this.#askFrame ||= requestAnimationFrame(() => {
-      this.#askFrame = 0;
-      this.#askHidden();
-    });
-  }
-
   /** What the sentence needs is asked for although its chart may not be shown, as on a phone; but not from another view, where nobody reads it. */
   #askHidden() {
     if (this.#services.store.state.view !== "lab") return;
@@ -185,15 +180,6 @@ class Laboratory {
         () => {},
       );
     }
-  }
-
-  /** Says anew what is so, once for all that comes within a frame. */
-  #later() {
-    if (this.#frame !== 0) return;
-    this.#frame = requestAnimationFrame(() => {
-      this.#frame = 0;
-      this.#tell();
-    });
   }
 
   #tell() {
