@@ -69,7 +69,46 @@ test("without scripts its text and still drawings stand there", async ({ browser
   await picture.scrollIntoViewIfNeeded();
   await expect(picture).toBeVisible();
   expect(await picture.evaluate((image) => /** @type {HTMLImageElement} */ (image).src.startsWith("data:image/svg+xml,"))).toBe(true);
+  // The heaviest found no room: a sentence stands in their place, and no sign of a picture that is missing.
+  for (const image of await page.locator("gear-figure img").all()) {
+    await image.scrollIntoViewIfNeeded();
+    await expect.poll(() => image.evaluate((it) => /** @type {HTMLImageElement} */ (it).naturalWidth)).toBe(720);
+  }
   await context.close();
+});
+
+test("an engine that compiles slowly shows the first figure still before it lives; one that does not shows one picture", async ({ page }) => {
+  const picture = page.locator("#fig-1 img");
+  const source = () => picture.evaluate((image) => image.getAttribute("src"));
+  await page.addInitScript(() => {
+    const { compileStreaming } = WebAssembly;
+    const slow = !location.search.includes("fast");
+    WebAssembly.compileStreaming = async (response) => {
+      const module = await compileStreaming.call(WebAssembly, response);
+      if (slow) await new Promise((resolve) => addEventListener("go-on", resolve));
+      return module;
+    };
+    // As an answer that came in time would.
+    if (!slow) performance.mark("first-answer");
+  });
+  await page.goto(PAGE);
+  await expect.poll(source).toContain("data:image/svg+xml,");
+  await expect(picture).toBeVisible();
+  expect(await page.locator("#fig-2 img").getAttribute("src")).toBeNull();
+  expect(await marked(page, "first-figure")).toBeNull();
+  await page.evaluate(() => dispatchEvent(new Event("go-on")));
+  await expect.poll(() => marked(page, "first-figure"), { timeout: 30_000 }).not.toBeNull();
+  await expect(picture).toBeHidden();
+
+  await page.goto(`${PAGE}?fast`);
+  await expect.poll(() => marked(page, "first-figure"), { timeout: 30_000 }).not.toBeNull();
+  expect(await source()).toBeNull();
+
+  // On a dark page a white picture would be a flash.
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.goto(`${PAGE}?dark`);
+  await expect.poll(() => page.evaluate(() => performance.now())).toBeGreaterThan(1000);
+  expect(await source()).toBeNull();
 });
 
 for (const home of ["the single file", "the site"]) {

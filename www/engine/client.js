@@ -389,6 +389,8 @@ function askEarly(pool, id) {
   /** @type {import("./pool.js").Answers | null} */
   let listening = null;
   const say = (/** @type {(answers: import("./pool.js").Answers) => void} */ what) => {
+    // `figure/hold-back.js` looks for it.
+    performance.mark("first-answer");
     if (listening === null) said.push(what);
     else what(listening);
   };

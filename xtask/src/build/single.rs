@@ -31,6 +31,13 @@ const WORKER: &str = "www/engine/worker.js";
 /// live one.
 const PATIENCE: u32 = 4000;
 
+/// So long after the file was opened its first figure is shown still, unless its answer is there, ms: an engine that
+/// compiles slowly then has a picture before 300 ms, and one that compiles fast never shows two.
+const FIRST_PATIENCE: u32 = 200;
+
+/// What is said in the place of a drawing that found no room.
+const STAND_IN: &str = "This figure is computed when the file is opened where scripts run.";
+
 /// The parts that all these files have, by the id of their element.
 const PARTS: [&str; 6] = ["gear-style", "gear-wasm", "gear-module", "gear-worker", "gear-code", "gear-shell"];
 
@@ -68,7 +75,7 @@ impl<'a> Single<'a> {
     }
 
     /// The whole page. Where it would be too large, the heaviest of the drawings that stand in for figures without scripts
-    /// stay out; how many did is said with it.
+    /// stay out, and a sentence stands in their place; how many did is said with it.
     pub fn page(&self) -> Result<(String, usize), Failure> {
         let mut left_out: Vec<String> = Vec::new();
         loop {
@@ -81,7 +88,7 @@ impl<'a> Single<'a> {
             };
             let late = format!("<script id=\"gear-page\">\n{}</script>\n{}", self.page, started(MAIN));
             let early = format!(
-                "<script data-patience=\"{PATIENCE}\">\n{}</script>\n{}",
+                "<script data-patience=\"{PATIENCE}\" data-first-patience=\"{FIRST_PATIENCE}\">\n{}</script>\n{}",
                 self.hold_back,
                 started(RUNNING)
             );
@@ -204,7 +211,11 @@ fn shell(
             "/body" => Some(format!("{}</body>", scripts.late)),
             "img" => match tag.value("src") {
                 Some(address) if !address.contains("{{") => {
-                    Some(tag.with("src", picture(address)?.as_deref()))
+                    let drawing = match picture(address)? {
+                        Some(drawing) => drawing,
+                        None => picture_address(&stand_in(site.text(address)?)),
+                    };
+                    Some(tag.with("src", Some(&drawing)))
                 }
                 _ => None,
             },
@@ -305,6 +316,16 @@ fn picture_address(drawing: &str) -> String {
         }
     }
     address
+}
+
+/// What stands where a drawing found no room: as large as it, with a sentence why nothing more is seen.
+fn stand_in(drawing: &str) -> String {
+    let (width, height) = size_of(drawing);
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
+         font-family=\"Times New Roman,Times,serif\"><rect width=\"100%\" height=\"100%\" fill=\"#f3f3f1\"/><text x=\"50%\" \
+         y=\"50%\" font-size=\"20\" text-anchor=\"middle\" fill=\"#4e555d\">{STAND_IN}</text></svg>"
+    )
 }
 
 /// The title of a drawing and the sentence that says what it shows, as values of attributes.
