@@ -191,7 +191,7 @@ pub fn soak(options: &Options) -> Result<(), Failure> {
     let chromium = tools::ensure_chromium()?;
     let prefix = Prefix::new(SUB_PATH).ok_or_else(|| Failure::invalid(SUB_PATH, "no plain path"))?;
     let address = Server::bind(dist, prefix, Some(0))?.in_background();
-    let mut playwright = program("npx", &["--no-install", "playwright", "test", "soak", "--workers=1"]);
+    let mut playwright = program("npx", &["--no-install", "playwright", "test", "/soak.spec", "--workers=1"]);
     let minutes = options.value("--minutes").unwrap_or("30");
     run(playwright.env("CHROMIUM", chromium).env("GEAR_ADDRESS", address).env("SOAK_MINUTES", minutes))
 }
