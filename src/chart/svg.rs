@@ -7,13 +7,16 @@ use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
 };
 
-use super::metrics::{FAMILY, Face};
+use super::metrics::{FAMILY, Face, width};
 use super::png::data_address;
 use super::surface::{Cloud, Image, Lettering, Stroke, Surface, UNITS, plain_size, set_plain};
 use crate::error::ChartError;
 
 /// Least and greatest side of a picture, CSS pixels.
 pub const SIDES: (f64, f64) = (120.0, 8192.0);
+
+/// Letters from so many on are held to their width: fewer cannot run far.
+const WORD: usize = 4;
 
 /// Checks the size of a picture in CSS pixels.
 ///
@@ -296,7 +299,14 @@ impl Surface for SvgSurface {
             };
             let (size, text) = (self.measure(units(run.size)), escape(&run.text));
             let place = format!("x=\"{}\" y=\"{}\"", number(x + units(run.x)), number(y + units(run.y)));
-            format!("{all}<tspan {place} font-size=\"{size}\"{face}>{text}</tspan>")
+            // Where our typeface is missing another one must not run into what follows.
+            let room = if run.text.chars().count() < WORD {
+                String::new()
+            } else {
+                let width = number(units(width(&run.text, run.face, run.size)));
+                format!(" textLength=\"{width}\" lengthAdjust=\"spacingAndGlyphs\"")
+            };
+            format!("{all}<tspan {place} font-size=\"{size}\"{face}{room}>{text}</tspan>")
         });
         self.element(&format!("<text{}{halo}{turn}>{runs}</text>", paint("fill", lettering.color)));
         Ok(())

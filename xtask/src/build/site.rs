@@ -85,7 +85,7 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
     package::add(&mut site, root, &module)?;
     let stamp = Stamp::read(&generated.wasm)?;
     let document = |path: &Path| std::fs::read_to_string(path).map_err(Failure::file(path));
-    let index = stamp.put_into(&document(&root.join("index.html"))?);
+    let index = without_indents(&stamp.put_into(&document(&root.join("index.html"))?));
     let figure = stamp.put_into(&document(&www.join(FIGURE_SHELL))?);
     site.add(equations::PAGE, equations::page(root)?);
     let mut modules = Modules::new();
@@ -140,6 +140,18 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
         site.add(&name, file);
     }
     Ok(Gathered { site, left_out })
+}
+
+/// A document without the spaces that begin its lines, which show its structure to those who write it and nobody else; what
+/// is preformatted keeps its own.
+fn without_indents(document: &str) -> String {
+    let mut preformatted = false;
+    let lines = document.lines().flat_map(|line| {
+        let kept = if preformatted { line } else { line.trim_start() };
+        preformatted = (preformatted || line.contains("<pre")) && !line.contains("</pre>");
+        [kept, "\n"]
+    });
+    lines.collect()
 }
 
 /// The document with its plain scripts inside: they run while it is still being read, and wait for no request. Modules stay
@@ -226,13 +238,19 @@ impl Site {
 
 #[cfg(test)]
 mod tests {
-    use super::{MODULE, Site, with_plain_scripts};
+    use super::{MODULE, Site, with_plain_scripts, without_indents};
     use crate::build::modules::Modules;
 
     fn folder(name: &str) -> std::path::PathBuf {
         let folder = std::env::temp_dir().join(format!("gear-site-{}-{name}", std::process::id()));
         let _ = std::fs::remove_dir_all(&folder);
         folder
+    }
+
+    #[test]
+    fn only_what_is_preformatted_keeps_its_indents() {
+        let text = "<p>\n  a\n    b</p>\n  <pre>c\n  d\n  e</pre>\n  <p>f</p>\n";
+        assert_eq!(without_indents(text), "<p>\na\nb</p>\n<pre>c\n  d\n  e</pre>\n<p>f</p>\n");
     }
 
     #[test]
