@@ -341,9 +341,10 @@ async function chooseLanguage(chosen) {
   void engine.then((running) => {
     running.words = patterns === null ? null : spoken;
   });
-  speak(chosen, words);
   document.documentElement.lang = chosen;
+  // Charts are called by the headings over them.
   translate(document, words);
+  speak(chosen, words);
   restStory?.();
 }
 

@@ -329,3 +329,19 @@ test("without scripts there are the text, the drawings, the equations and the gl
   await expect(page.locator("math").first()).toBeVisible();
   await context.close();
 });
+
+test("when the language changes, charts change the names they are called by, and nothing said in the old one is left", async ({ page }) => {
+  await open(page);
+  const chart = figure(page, "2");
+  const name = () => chart.getByRole("application").getAttribute("aria-label");
+  const heard = chart.locator(".heard[aria-live]");
+  // An answer to the reader is spoken.
+  await chart.getByRole("slider").first().press("ArrowRight");
+  await expect(heard).not.toBeEmpty();
+  for (const [language, start] of [["de", "Abbildung 2"], ["en", "Figure 2"]]) {
+    const said = await heard.innerText();
+    await page.evaluate((to) => void (location.hash = `${location.hash.replace(/&language=\w+/, "")}&language=${to}`), language);
+    await expect.poll(name).toContain(start);
+    if (said !== "") await expect(heard).not.toHaveText(said);
+  }
+});

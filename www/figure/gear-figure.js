@@ -721,12 +721,12 @@ export class GearFigure extends HTMLElement {
       showRows(this.#parts.rows, this.#figure);
     }
     this.#parts.described.textContent = plain(this.#figure.summary);
+    this.#parts.heard.textContent = "";
     this.#speakAnew();
     const busy = this.#computation?.busy === true && !this.#approach.awaited;
     this.#showBusy(busy);
     this.#status.say(busy ? say("figure.computing") : this.#figure.notes.join(" "));
     this.#tabulate();
-    this.#repaint();
   }
 
   #tabulate() {
