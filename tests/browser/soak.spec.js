@@ -113,24 +113,33 @@ async function settled(page, id) {
   });
 }
 
+/** What is waited for on the way home: whoever waits in vain is to say at which step. */
+let step = "";
+
 /** One and the same place, whatever was done before; a link begins a new history. @param {Page} page */
 async function goHome(page) {
+  step = "the laboratory's chart";
   await page.keyboard.press("Escape");
   await page.setViewportSize({ width: 1280, height: 720 });
   // The same address twice would be no link.
   await page.evaluate(() => void (location.hash = "#lab&v=1"));
   await settled(page, "lab-T");
+  step = "the story's first figures";
   await page.evaluate(() => void (location.hash = "#story&v=1&theme=light&language=en&projector=off"));
   await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
   for (const id of ["fig-1", "fig-T"]) await settled(page, id);
+  step = "a moment with nothing to do";
   await page.evaluate(() => new Promise((resolve) => requestIdleCallback(() => requestAnimationFrame(() => resolve(null)))));
+  step = "all figures of the story";
   // What completes by itself later brings its words and tables then.
   await page.evaluate(() => Promise.all([...document.querySelectorAll("gear-figure[id^=fig]")].map((one) => /** @type {any} */ (one).data().catch(() => null))));
   // Gears that turn are drawn by the page's own module, whose memory is there in one frame and given back in the next.
   await page.locator("#fig-1").evaluate((gears) => /** @type {any} */ (gears).pause());
+  step = "idle workers";
   // As when the page is put away: the memory of wasm is not collected, but given back.
   await expect.poll(() => page.evaluate(() => /** @type {any} */ (window).__gear.engine.pool.busy), { timeout: 60_000 }).toBe(false);
   await page.evaluate(() => /** @type {any} */ (window).__gear.engine.rest());
+  step = "";
 }
 
 class Late extends Error {}
@@ -146,7 +155,7 @@ function inTime(what, work, longest = LONGEST) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
   const late = new Promise((/** @type {(value: never) => void} */ _, reject) => {
-    timer = setTimeout(() => reject(new Late(`not in time: ${what}`)), longest);
+    timer = setTimeout(() => reject(new Late(`not in time: ${what}${step && `; it waits for ${step}`}`)), longest);
   });
   return Promise.race([work, late]).finally(() => clearTimeout(timer));
 }
