@@ -68,7 +68,8 @@ impl<'a> Single<'a> {
         let [_, worker, _] = three(link::scripts(&modules, &[&[MODULE], &[WORKER], &[WORKER]])?)?;
         let worker = worker + &link::start(WORKER);
         let wasm = base64::encoded(&weight::gzipped(site.bytes("gear-bifurcations_bg.wasm")?));
-        let shell = shell(site, figure, &|_| Ok(None), &Scripts { early: "", late: &started(FIGURE) })?;
+        let picture = |address: &str| site.text(address).map(picture_address);
+        let shell = shell(site, figure, &picture, &Scripts { early: "", late: &started(FIGURE) })?;
         let packed = base64::encoded(shell.as_bytes());
         let style = style(site, index)?;
         Ok(Self { site, parts: [style, wasm, module, worker, code, packed], shell, hold_back, page, index })
@@ -81,10 +82,9 @@ impl<'a> Single<'a> {
         loop {
             let mut heaviest = (0, String::new());
             let picture = |address: &str| {
-                if left_out.iter().any(|known| known == address) {
-                    return Ok(None);
-                }
-                self.site.text(address).map(|drawing| Some(picture_address(drawing)))
+                let drawing = self.site.text(address)?;
+                let left_out = left_out.iter().any(|known| known == address);
+                Ok(if left_out { picture_address(&stand_in(drawing)) } else { picture_address(drawing) })
             };
             let late = format!("<script id=\"gear-page\">\n{}</script>\n{}", self.page, started(MAIN));
             let early = format!(
@@ -176,7 +176,7 @@ fn started(path: &str) -> String {
 fn shell(
     site: &Site,
     document: &str,
-    picture: &dyn Fn(&str) -> Result<Option<String>, Failure>,
+    picture: &dyn Fn(&str) -> Result<String, Failure>,
     scripts: &Scripts<'_>,
 ) -> Result<String, Failure> {
     let part = |id: &str, kind: &str| format!("<script id=\"{id}\"{kind}>{{{{{id}}}}}</script>\n");
@@ -210,13 +210,7 @@ fn shell(
             "/head" => Some(format!("{head}{}</head>", scripts.early)),
             "/body" => Some(format!("{}</body>", scripts.late)),
             "img" => match tag.value("src") {
-                Some(address) if !address.contains("{{") => {
-                    let drawing = match picture(address)? {
-                        Some(drawing) => drawing,
-                        None => picture_address(&stand_in(site.text(address)?)),
-                    };
-                    Some(tag.with("src", Some(&drawing)))
-                }
+                Some(address) if !address.contains("{{") => Some(tag.with("src", Some(&picture(address)?))),
                 _ => None,
             },
             "a" => {
@@ -362,7 +356,7 @@ mod tests {
         shell(
             &Site::default(),
             &document,
-            &|address| Ok(Some(format!("data:{address}"))),
+            &|address| Ok(format!("data:{address}")),
             &Scripts { early: "E", late: "L" },
         )
     }
