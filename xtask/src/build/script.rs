@@ -84,6 +84,55 @@ fn push_code(bare: &mut String, code: &str) {
     }
 }
 
+/// Without white space beside signs either, and with the end of a line only where a statement may end by it: what is joined
+/// into one file is read by browsers alone.
+pub fn dense(text: &str) -> String {
+    let mut dense = String::with_capacity(text.len());
+    for stretch in stretches(text) {
+        match stretch {
+            Stretch::Literal(literal) => {
+                if !literal.starts_with('/') {
+                    drop_spaces(&mut dense);
+                }
+                dense.push_str(literal);
+            }
+            Stretch::Comment(comment) => dense.push_str(comment),
+            Stretch::Code(code) => code.chars().for_each(|sign| push_dense(&mut dense, sign)),
+        }
+    }
+    dense
+}
+
+/// Adds a sign of code that has no comments and no indentation.
+fn push_dense(dense: &mut String, sign: char) {
+    if sign == '\n' || PARTS.contains(&sign) {
+        drop_spaces(dense);
+    }
+    if GOES_BACK.contains(&sign) && dense.ends_with('\n') {
+        dense.pop();
+    }
+    let idle = match sign {
+        ' ' => dense.ends_with(PARTS) || dense.ends_with('\n'),
+        '\n' => dense.ends_with(GOES_ON),
+        _ => false,
+    };
+    if !idle {
+        dense.push(sign);
+    }
+}
+
+fn drop_spaces(text: &mut String) {
+    text.truncate(text.trim_end_matches(' ').len());
+}
+
+/// Beside these no space is needed: brought together, no two of them mean anything else.
+const PARTS: &[char] =
+    &['(', ')', '{', '}', '[', ']', ',', ';', ':', '?', '=', '<', '>', '&', '|', '"', '\'', '`'];
+/// After these a statement goes on, or is over in any case.
+const GOES_ON: &[char] = &['(', '{', '[', ',', ';', ':', '?', '=', '&', '|'];
+/// Before these it goes on.
+const GOES_BACK: &[char] = &[')', '}', ']', ',', ';', ':', '?', '=', '&', '|'];
+
 /// Whether a `/` after `before` begins a regular expression; otherwise it divides.
 fn expression_may_begin(before: &str, found: &[Stretch<'_>], start: usize) -> bool {
     let code = before[start..].trim_end();
@@ -167,7 +216,7 @@ fn hole_end(bytes: &[u8], at: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::Stretch::{Code, Comment, Literal};
-    use super::{bare, stretches};
+    use super::{bare, dense, stretches};
 
     #[test]
     fn code_comments_and_literals_are_told_apart() {
@@ -206,6 +255,15 @@ mod tests {
     fn nothing_is_lost_but_comments_and_white_space() {
         let text = "/** Doc. */\nexport function f() { // why\n\n  const x = /** @type {A} */ (y);\n  return /* no */ `\n  kept // too`;\n}\n";
         assert_eq!(bare(text), "export function f() {\nconst x = (y);\nreturn `\n  kept // too`;\n}\n");
+    }
+
+    #[test]
+    fn a_dense_script_says_the_same() {
+        let text = "const { a, b: c } = d;\nlet [x] = a ? [\n  1,\n  .5,\n] : `${ a } : b`;\nif (a + +b < c - -x) return \"a , b\" in c;\nx = y\n  ?? z;\nfor (const one of all) { f(one) }\nconst g = () => /a , b/u .test(c)\n(1 / x).go()\nawait [x];\n";
+        assert_eq!(
+            dense(&bare(text)),
+            "const{a,b:c}=d;let[x]=a?[1,.5,]:`${ a } : b`;if(a + +b<c - -x)return\"a , b\"in c;x=y??z;for(const one of all){f(one)}\nconst g=()=>/a , b/u .test(c)\n(1 / x).go()\nawait[x];"
+        );
     }
 
     #[test]

@@ -117,7 +117,7 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
     modules.insert(ELEMENT.to_owned(), ELEMENT_SOURCE.to_owned());
     for entries in ENTRIES {
         for (path, text) in link::files(&modules, entries)? {
-            site.add(&path, text);
+            site.add(&path, script::dense(&text));
         }
     }
     // They lead to files of the site two folders up, so they run where they lie.
@@ -164,7 +164,7 @@ fn with_plain_scripts(document: &str, modules: &Modules) -> Result<String, Failu
         };
         let text =
             modules.get(address).ok_or_else(|| Failure::invalid(address, "there is no such script"))?;
-        Ok(Some(format!("{}\n{}", tag.with("src", None), script::bare(text))))
+        Ok(Some(format!("{}\n{}", tag.with("src", None), script::dense(&script::bare(text)))))
     })
 }
 
@@ -276,7 +276,7 @@ mod tests {
             "<script src=\"a.js\" data-b=\"1\"></script><script type=\"module\" src=\"c.js\"></script>";
         assert_eq!(
             with_plain_scripts(document, &scripts).unwrap(),
-            "<script data-b=\"1\">\nlet a = 1;\n</script><script type=\"module\" src=\"c.js\"></script>"
+            "<script data-b=\"1\">\nlet a=1;</script><script type=\"module\" src=\"c.js\"></script>"
         );
         assert!(with_plain_scripts("<script src=\"d.js\"></script>", &scripts).is_err());
     }
