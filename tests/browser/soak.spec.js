@@ -129,7 +129,8 @@ async function goHome(page) {
   await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
   for (const id of ["fig-1", "fig-T"]) await settled(page, id);
   step = "a moment with nothing to do";
-  await page.evaluate(() => new Promise((resolve) => requestIdleCallback(() => requestAnimationFrame(() => resolve(null)))));
+  // After drags that no hand has made Chromium at times takes one to be under way, and tells of no idle moment any more although it has nothing else.
+  await page.evaluate(() => new Promise((resolve) => requestIdleCallback(() => requestAnimationFrame(() => resolve(null)), { timeout: 2000 })));
   step = "all figures of the story";
   // What completes by itself later brings its words and tables then.
   await page.evaluate(() => Promise.all([...document.querySelectorAll("gear-figure[id^=fig]")].map((one) => /** @type {any} */ (one).data().catch(() => null))));
