@@ -86,6 +86,41 @@ test("what is far from the screen stops at its first picture until the reader co
   expect((await state()).ready).toContain("10");
 });
 
+test("whoever waits for a far figure has it although its parameters change meanwhile", async ({ page }) => {
+  await open(page);
+  const found = await figure(page, "S").evaluate(async (element) => {
+    const { store } = /** @type {any} */ (window).__gear;
+    const frame = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+    await /** @type {any} */ (element).data();
+    // What is asked for second waits until the first has its picture, and is then the one that is wanted.
+    store.give(element.id, { zeta: 0.011 });
+    await frame();
+    store.give(element.id, { zeta: 0.012 });
+    return (await /** @type {any} */ (element).data()).params.zeta;
+  });
+  expect(found).toBe(0.012);
+});
+
+test("whoever waits for a figure has the one that takes its place, and is told when it goes", async ({ page }) => {
+  await open(page);
+  const told = await page.evaluate(async () => {
+    const element = /** @type {import("../../www/figure/gear-figure.js").GearFigure} */ (document.createElement("gear-figure"));
+    element.setAttribute("figure", "S");
+    document.querySelector("main")?.append(element);
+    const frame = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+    await frame();
+    const asked = element.data();
+    element.setAttribute("figure", "11a");
+    const first = (await asked).id;
+    element.setAttribute("omega", "1.6");
+    await frame();
+    const again = element.data().then(() => "an answer", (/** @type {Error} */ { message }) => message);
+    element.remove();
+    return [first, await again];
+  });
+  expect(told).toEqual(["11a", "the figure is not in a document"]);
+});
+
 test.describe("while nobody does anything", () => {
   test.use({ handsOn: false });
 

@@ -25,6 +25,8 @@ export class Approach {
   #near = false;
   /** The reader has been near it and has stopped there. */
   #reached = false;
+  /** How many wait for what is computed. */
+  #wanted = 0;
   /** @type {Set<() => void>} */
   #waiting = new Set();
   #stop = () => {
@@ -50,7 +52,7 @@ export class Approach {
    * @returns {{over: Promise<void>, callOff: () => void} | null}
    */
   coming() {
-    if (this.#reached) return null;
+    if (this.#reached || this.#wanted > 0) return null;
     let tell = () => {};
     const over = new Promise((/** @type {(value: void) => void} */ resolve) => (tell = resolve));
     this.#waiting.add(tell);
@@ -66,6 +68,19 @@ export class Approach {
   hurry() {
     for (const tell of this.#waiting) tell();
     this.#waiting.clear();
+  }
+
+  /**
+   * Somebody waits for an answer: nothing that is computed until it is there waits for the reader, be it asked for later, as when the
+   * parameters change meanwhile.
+   *
+   * @param {Promise<unknown>} answer
+   */
+  want(answer) {
+    this.#wanted += 1;
+    this.hurry();
+    const end = () => void (this.#wanted -= 1);
+    answer.then(end, end);
   }
 
   /** It is on the screen: nobody need see it come. */

@@ -56,6 +56,8 @@ const USUAL_WIDTH = 720;
 /** How far out of sight a figure still counts as seen. */
 const MARGIN = "300px";
 
+const NOWHERE = "the figure is not in a document";
+
 let anonymous = 0;
 
 /** @type {Readonly<import("../state.js").FigureState>} */
@@ -199,7 +201,8 @@ export class GearFigure extends HTMLElement {
 
   disconnectedCallback() {
     this.#life.abort();
-    this.#computation?.stop();
+    this.#computation?.refuse(new Error(NOWHERE));
+    this.#computation = null;
     this.#clock?.pause();
     clearTimeout(this.#notice);
     askNoMore(this.#asker);
@@ -208,17 +211,25 @@ export class GearFigure extends HTMLElement {
 
   /**
    * What is shown, once it is complete: the object that `gear.figure()` returns. Rejects with a `GearError` where the
-   * parameters allow no figure.
+   * parameters allow no figure, and when the figure leaves the document.
    *
    * @returns {Promise<Figure>}
    */
   async data() {
     await services;
-    if (this.isConnected) await this.#begun;
+    while (this.isConnected && this.#computation === null) await this.#begun;
     if (askNoMore(this.#asker) || this.#postponed) this.#ask(true);
-    if (this.#computation === null) throw new Error("the figure is not in a document");
-    this.#approach.hurry();
-    return this.#computation.answer;
+    const computation = this.#computation;
+    if (computation === null) throw new Error(NOWHERE);
+    const { answer } = computation;
+    this.#approach.want(answer);
+    try {
+      return await answer;
+    } catch (thrown) {
+      // Where it has begun anew meanwhile, in another place or as another figure, that one is wanted.
+      if (this.isConnected && computation !== this.#computation) return this.data();
+      throw thrown;
+    }
   }
 
   /**
@@ -586,7 +597,6 @@ export class GearFigure extends HTMLElement {
     this.#here = here && this.#questions > 1;
     this.#computation?.wish(this.#given);
     this.#asking = false;
-    if (wanted) this.#approach.hurry();
   }
 
   /**
