@@ -31,6 +31,9 @@ const PREFERENCES = {
 /** Said of an equation of which the rest has not been read yet; the journey looks at all of them when they have been. */
 const UNREAD = /^Invalid markup: Incorrect number of children for <m\w+\/> tag\.$/;
 
+/** Said, of no place, while a page is left that a frame of it is just answering: what came for it belongs to nobody any more. */
+const LEFT = /^(Error: )?Permission denied to access property "\w+"$/;
+
 /** @typedef {{id?: number, type?: string, method?: string, params?: any, result?: any, error?: string, message?: string}} Message */
 
 /** @returns {Promise<import("./driver.mjs").Driver>} */
@@ -125,8 +128,9 @@ async function drive({ call, events, close }, end) {
   const context = contexts[0].context;
   /** @type {string[]} */
   let noise = [];
+  let leaving = false;
   events((method, { level, text, response, request, errorText }) => {
-    if (method === "log.entryAdded" && !UNREAD.test(text)) noise.push(`console ${level}: ${text}`);
+    if (method === "log.entryAdded" && !UNREAD.test(text) && !(leaving && LEFT.test(text))) noise.push(`console ${level}: ${text}`);
     if (method === "network.responseCompleted" && response.status >= 400) noise.push(`status ${response.status}: ${response.url}`);
     // Whoever leaves a page gives up what it still waited for.
     if (method === "network.fetchError" && errorText !== "NS_BINDING_ABORTED") noise.push(`${errorText}: ${request.url}`);
@@ -136,7 +140,9 @@ async function drive({ call, events, close }, end) {
     name: `Firefox ${capabilities.browserVersion}`,
     resize: (width, height) => call("browsingContext.setViewport", { context, viewport: { width, height } }),
     open: async (address) => {
+      leaving = true;
       await call("browsingContext.navigate", { context, url: "about:blank", wait: "complete" });
+      leaving = false;
       await call("browsingContext.navigate", { context, url: address, wait: "complete" });
     },
     reload: () => call("browsingContext.reload", { context, wait: "complete" }),
