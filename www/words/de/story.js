@@ -340,6 +340,9 @@ export const words = {
   "symbol.d_2": "Abklingrate der zweiten Mode",
   "symbol.d_3": "Abklingrate der dritten Mode",
   "symbol.R": "Amplitude einer Mode; das Lager bewegt sich bis zum Doppelten davon",
+  "about.how":
+    "Alles auf dieser Seite rechnet Ihr Browser, mit einem einzigen WebAssembly-Modul, <0/>, das auch in eigenen Seiten und Programmen läuft. Exakte Bewegungen werden mit Taylorreihen integriert, auf 10<1/> genau. Nichts von dem, was Sie hier tun, verlässt Ihren Rechner.",
+  "about.licence": "Lizenz: MIT oder Apache 2.0. Die Schrift ist STIX Two, unter der <0/>.",
   "about.summary": "Über diese Kopie",
   "about.version": "Fassung",
   "about.commit": "Commit",

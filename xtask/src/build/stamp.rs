@@ -24,7 +24,7 @@ impl Stamp {
         };
         let commit = match (said("git", &["rev-parse", "--short=12", "HEAD"]), changes()) {
             (Ok(commit), Ok(changes)) if changes.is_empty() => commit,
-            (Ok(commit), _) => format!("{commit} with changes"),
+            (Ok(commit), _) => format!("{commit}-dirty"),
             _ => "unknown".to_owned(),
         };
         let lock = place::root().join("Cargo.lock");
