@@ -345,6 +345,8 @@ async function chooseLanguage(chosen) {
   // Charts are called by the headings over them.
   translate(document, words);
   speak(chosen, words);
+  // What was said in the other language is over.
+  announce("");
   restStory?.();
 }
 

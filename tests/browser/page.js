@@ -283,3 +283,33 @@ export async function control(page, id, parameter) {
   if ((await wanted.count()) === 0) await home.locator(".more > summary").click();
   return { box: wanted.getByRole("spinbutton"), slider: wanted.getByRole("slider"), complaint: wanted.locator(".complaint") };
 }
+
+/** The same in every language: the project, a journal, a licence, kinds of files. */
+const NAMES = /^(gear-bifurcations.*|Nonlinear Dynamics|SIL Open Font License|Pitchfork and Hopf bifurcations of geared systems .*|BibTeX|RIS|Export|rustc .*|[0-9a-f]{12}.*)$/;
+
+/**
+ * All that is read or heard on the page at present, but for formulas, code and what charts measure: texts and names of elements.
+ *
+ * @param {Page} page
+ * @returns {Promise<string[]>}
+ */
+export async function readable(page) {
+  const found = await page.evaluate(() => {
+    /** @type {string[]} */
+    const texts = [];
+    /** @param {Node} root */
+    const walk = (root) => {
+      const walker = document.createTreeWalker(root, NodeFilter.SHOW_TEXT | NodeFilter.SHOW_ELEMENT);
+      for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+        if (node instanceof Element) {
+          if (node.shadowRoot !== null) walk(node.shadowRoot);
+          if (node.checkVisibility()) for (const name of ["aria-label", "aria-roledescription", "title", "placeholder", "alt"]) texts.push(node.getAttribute(name) ?? "");
+        } else if (node.parentElement?.checkVisibility() && !node.parentElement.closest("script, style, math, pre, code, var, i")) texts.push(node.textContent ?? "");
+      }
+    };
+    walk(document.body);
+    return texts.map((text) => text.replaceAll(/\s+/g, " ").trim());
+  });
+  // A word: of more letters than a symbol has, and no function's name.
+  return [...new Set(found.filter((text) => /\p{L}{4,}/u.test(text.replaceAll(/Liouville|Amplitude/g, "")) && !NAMES.test(text)))];
+}

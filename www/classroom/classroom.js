@@ -35,10 +35,11 @@ export function start(host, services) {
 class Classroom {
   #services;
   #home = element("div", "classroom");
+  #heading = element("h1", "");
   #answers = new Answers();
   /** Lessons that were opened from files. @type {Map<string, Lesson>} */
   #own = new Map();
-  /** @type {{id: string, player: Player} | null} */
+  /** @type {{lesson: Lesson, player: Player} | null} */
   #playing = null;
   #message = element("p", "message");
   /** The point is being set to where a lesson's step begins, which shows nothing by itself. */
@@ -59,7 +60,10 @@ class Classroom {
     });
     onLanguage(() => {
       if (this.#playing === null) this.#show();
-      else this.#playing.player.again();
+      else {
+        this.#entitle(this.#playing.lesson);
+        this.#playing.player.again();
+      }
     });
     this.#takeDrops();
     this.#register();
@@ -74,7 +78,7 @@ class Classroom {
   #show() {
     const { store } = this.#services;
     const wanted = store.state.lesson?.id ?? null;
-    if (wanted !== null && this.#playing?.id === wanted) {
+    if (wanted !== null && this.#playing?.lesson.id === wanted) {
       this.#playing.player.show();
       return;
     }
@@ -89,10 +93,15 @@ class Classroom {
     this.#message.textContent = "";
     this.#arrive(lesson);
     const player = new Player(this.#services, lesson, this.#answers, () => this.#leave());
-    this.#playing = { id: lesson.id, player };
-    const heading = element("h1", "", ...setOf(lesson.title).childNodes);
+    this.#playing = { lesson, player };
+    this.#entitle(lesson);
     const leave = button("class.leave", () => this.#leave());
-    this.#home.replaceChildren(element("div", "top", heading, element("div", "buttons", leave, this.#screen(), this.#save())), this.#message, player.element);
+    this.#home.replaceChildren(element("div", "top", this.#heading, element("div", "buttons", leave, this.#screen(), this.#save())), this.#message, player.element);
+  }
+
+  /** @param {Lesson} lesson */
+  #entitle(lesson) {
+    this.#heading.replaceChildren(...setOf(lesson.title).childNodes);
   }
 
   /**

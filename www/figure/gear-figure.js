@@ -494,7 +494,7 @@ export class GearFigure extends HTMLElement {
   /** Says in the language of the page what does not come from the module. */
   #speakAnew() {
     this.#parts.canvas.setAttribute("aria-roledescription", say("figure.chart"));
-    this.#parts.canvas.setAttribute("aria-label", this.#title ?? plain(this.#figure?.title ?? this.#info?.title ?? ""));
+    this.#parts.canvas.setAttribute("aria-label", this.#title ?? plain(this.#figure?.title ?? spoken(this.#info?.title ?? "")));
     this.#parts.keys.textContent = say(this.#info?.turnable ? "figure.keys.turn" : "figure.keys");
     this.#whole.textContent = say("figure.whole");
     this.#repaint();

@@ -9,7 +9,9 @@
 
 import { density, onAppearance, resolveTheme } from "../figure/appearance.js";
 import { PINS, pointOf, same } from "../state.js";
-import { decimalSign, number, onLanguage, say } from "../words/say.js";
+import { plain } from "../figure/markup.js";
+import { spokenFigure } from "../words/engine.js";
+import { decimalSign, language, number, onLanguage, say } from "../words/say.js";
 import { START } from "./charts.js";
 import { button, element, named } from "../controls/dom.js";
 import { contact, sentence } from "./facts.js";
@@ -31,7 +33,7 @@ export class Compare {
   /** @type {Figures} */
   #present = new Map();
   show = onceAFrame(() => this.#show());
-  /** Figures that are drawn already, with their themes. @type {WeakMap<Figure, {canvas: HTMLCanvasElement, theme: string}>} */
+  /** Figures that are drawn already, with their themes and languages. @type {WeakMap<Figure, {canvas: HTMLCanvasElement, look: string}>} */
   #pictures = new WeakMap();
 
   /**
@@ -188,19 +190,21 @@ export class Compare {
   #picture(figure) {
     const { engine, store } = this.#services;
     const theme = resolveTheme(null, store.state);
+    const look = `${theme} ${language()}`;
     const known = figure === undefined ? undefined : this.#pictures.get(figure);
-    if (known !== undefined && known.theme === theme) return known.canvas;
+    if (known !== undefined && known.look === look) return known.canvas;
+    const told = figure && spokenFigure(figure);
     const canvas = element("canvas", "");
     canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", figure?.summary ?? say("lab.c.unknown"));
-    if (figure === undefined) return canvas;
-    this.#pictures.set(figure, { canvas, theme });
+    canvas.setAttribute("aria-label", told === undefined ? say("lab.c.unknown") : plain(told.summary));
+    if (figure === undefined || told === undefined) return canvas;
+    this.#pictures.set(figure, { canvas, look });
     // Drawn when it has its place, of which the size follows.
     requestAnimationFrame(() => {
       if (!canvas.isConnected || canvas.clientWidth < 120) return;
       canvas.width = Math.round(canvas.clientWidth * density());
       canvas.height = Math.round(canvas.clientHeight * density());
-      engine.draw(figure, canvas, { theme, density: density(), view: { decimal: decimalSign() } });
+      engine.draw(told, canvas, { theme, density: density(), view: { decimal: decimalSign() } });
     });
     return canvas;
   }

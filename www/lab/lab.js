@@ -10,7 +10,7 @@
 import { sentence as marked } from "../figure/markup.js";
 import { pointOf, withPoint, withPreset } from "../state.js";
 import { words } from "../words/en/lab.js";
-import { learn, number, onLanguage, say } from "../words/say.js";
+import { language, learn, number, onLanguage, say } from "../words/say.js";
 import { CHARTS, createCharts } from "./charts.js";
 import { Compare } from "./compare.js";
 import { Creep } from "./creep.js";
@@ -203,7 +203,7 @@ class Laboratory {
     this.#hear();
     clearTimeout(this.#quiet);
     this.#quiet = setTimeout(() => {
-      const all = `${said} ${flag.words}.`;
+      const all = `${said} ${flag.words.charAt(0).toLocaleUpperCase(language())}${flag.words.slice(1)}.`;
       if (all === this.#said || store.state.view !== "lab" || engine.figures.size === 0) return;
       this.#said = all;
       this.#services.announce(all);
