@@ -1,5 +1,6 @@
 //! The glue between JavaScript and the wasm, made by wasm-bindgen in this process.
 
+use super::order::ordered;
 use crate::Failure;
 use std::path::Path;
 use wasm_bindgen_cli_support::Bindgen;
@@ -36,6 +37,6 @@ pub fn generate(artifact: &Path, folder: &Path) -> Result<Generated, Failure> {
     let (glue, wasm) = (folder.join("bindings.js"), folder.join("bindings_bg.wasm"));
     Ok(Generated {
         glue: std::fs::read_to_string(&glue).map_err(Failure::file(&glue))?,
-        wasm: std::fs::read(&wasm).map_err(Failure::file(&wasm))?,
+        wasm: ordered(&std::fs::read(&wasm).map_err(Failure::file(&wasm))?)?,
     })
 }
