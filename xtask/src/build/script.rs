@@ -84,11 +84,12 @@ fn push_code(bare: &mut String, code: &str) {
     }
 }
 
-/// Without white space beside signs either, and with the end of a line only where a statement may end by it: what is joined
+/// Bare, without white space beside signs either, and with the end of a line only where a statement may end by it: what is joined
 /// into one file is read by browsers alone.
 pub fn dense(text: &str) -> String {
+    let text = bare(text);
     let mut dense = String::with_capacity(text.len());
-    for stretch in stretches(text) {
+    for stretch in stretches(&text) {
         match stretch {
             Stretch::Literal(literal) => {
                 if !literal.starts_with('/') {
@@ -261,7 +262,7 @@ mod tests {
     fn a_dense_script_says_the_same() {
         let text = "const { a, b: c } = d;\nlet [x] = a ? [\n  1,\n  .5,\n] : `${ a } : b`;\nif (a + +b < c - -x) return \"a , b\" in c;\nx = y\n  ?? z;\nfor (const one of all) { f(one) }\nconst g = () => /a , b/u .test(c)\n(1 / x).go()\nawait [x];\n";
         assert_eq!(
-            dense(&bare(text)),
+            dense(text),
             "const{a,b:c}=d;let[x]=a?[1,.5,]:`${ a } : b`;if(a + +b<c - -x)return\"a , b\"in c;x=y??z;for(const one of all){f(one)}\nconst g=()=>/a , b/u .test(c)\n(1 / x).go()\nawait[x];"
         );
     }

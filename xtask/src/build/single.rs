@@ -62,7 +62,7 @@ impl<'a> Single<'a> {
         let inline = modules.get(DELIVERY_INLINE).cloned();
         let inline = inline.ok_or_else(|| Failure::invalid(DELIVERY_INLINE, "there is no such module"))?;
         modules.insert(DELIVERY.to_owned(), inline);
-        let hold_back = modules.get(HOLD_BACK).map(|text| script::dense(&script::bare(text)));
+        let hold_back = modules.get(HOLD_BACK).map(|text| script::dense(text));
         let hold_back = hold_back.ok_or_else(|| Failure::invalid(HOLD_BACK, "there is no such script"))?;
         let [module, code, page] = three(link::scripts(&modules, &[&[MODULE], &[FIGURE], &[MAIN]])?)?;
         let [_, worker, _] = three(link::scripts(&modules, &[&[MODULE], &[WORKER], &[WORKER]])?)?;

@@ -164,7 +164,7 @@ fn with_plain_scripts(document: &str, modules: &Modules) -> Result<String, Failu
         };
         let text =
             modules.get(address).ok_or_else(|| Failure::invalid(address, "there is no such script"))?;
-        Ok(Some(format!("{}\n{}", tag.with("src", None), script::dense(&script::bare(text)))))
+        Ok(Some(format!("{}\n{}", tag.with("src", None), script::dense(text))))
     })
 }
 
