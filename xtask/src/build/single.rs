@@ -25,7 +25,8 @@ const RUNNING: &str = "www/engine/running.js";
 const MAIN: &str = "www/main.js";
 const FIGURE: &str = "www/embed/figure-file.js";
 const HOLD_BACK: &str = "www/figure/hold-back.js";
-const WORKER: &str = "www/engine/worker.js";
+/// What workers run.
+pub const WORKER: &str = "www/engine/worker.js";
 
 /// After this time a figure there without a live drawing shows its still one, ms: reading all of them takes longer than a
 /// live one.

@@ -3,7 +3,7 @@
 use super::bindings::Generated;
 use super::document::rewrite;
 use super::modules::Modules;
-use super::single::{self, Single};
+use super::single::{self, Single, WORKER};
 use super::stamp::Stamp;
 use super::{equations, link, module, package, release, script};
 use crate::{Failure, place};
@@ -78,7 +78,7 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
     let handwritten = www.join("engine/gear-bifurcations.js");
     let handwritten = std::fs::read_to_string(&handwritten).map_err(Failure::file(&handwritten))?;
     let module = module::splice(&handwritten, &generated.glue)?;
-    site.add(MODULE, script::bare(&module));
+    site.add(MODULE, script::compiled_at_once(&script::bare(&module)));
     site.add("gear-bifurcations_bg.wasm", generated.wasm.clone());
     site.add("package.json", package::of_folder());
     site.copy(&www.join("engine/gear-bifurcations.d.ts"), "gear-bifurcations.d.ts")?;
@@ -117,7 +117,9 @@ pub fn gather(root: &Path, generated: &Generated, figures: &[&str]) -> Result<Ga
     modules.insert(ELEMENT.to_owned(), ELEMENT_SOURCE.to_owned());
     for entries in ENTRIES {
         for (path, text) in link::files(&modules, entries)? {
-            site.add(&path, script::dense(&text));
+            let text = script::dense(&text);
+            // Nothing waits for a worker's thread but the worker.
+            site.add(&path, if path == WORKER { text } else { script::compiled_at_once(&text) });
         }
     }
     // They lead to files of the site two folders up, so they run where they lie.
