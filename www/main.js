@@ -4,6 +4,7 @@ import { engine, GearError, PRIORITY } from "./engine/running.js";
 import { watchPrinting } from "./figure/appearance.js";
 import { currentFigure, watchFigures } from "./figure/current.js";
 import { GearFigure } from "./figure/gear-figure.js";
+import { inNextTask } from "./figure/next-task.js";
 import { paintAll, painted } from "./figure/paint-queue.js";
 import { provide } from "./figure/services.js";
 import { PRESETS } from "./presets.js";
@@ -79,6 +80,8 @@ let restStory = null;
 
 /** Lays out what `figure/hold-back.js` has kept back and no figure has brought yet. */
 function settle() {
+  const { dataset } = document.documentElement;
+  if (dataset.opening === "first") dataset.opening = "near";
   restStory ??= letFarSectionsRest(element('main > [data-view="story"]'));
 }
 
@@ -383,7 +386,11 @@ addEventListener("beforeprint", layOutAll);
 watchPrinting(paintAll);
 watchFigures();
 provide(services);
-customElements.define("gear-figure", GearFigure);
+const define = () => customElements.define("gear-figure", GearFigure);
+// Thirty of them at once are made in a task of their own, for nothing is asked of them before the engine runs. Whoever comes to a place
+// of the story must find the heights above it.
+if (document.documentElement.dataset.opening === "first") inNextTask(define);
+else define();
 
 whenCalm(() => {
   import("./offline/register.js").then(({ keepForOffline }) => keepForOffline()).catch(() => {});

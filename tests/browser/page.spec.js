@@ -186,4 +186,34 @@ test("in words and numbers: a table from the data", async ({ page }) => {
   await expect(home.locator(".data table").first()).toBeVisible();
   expect(await home.locator(".data tr").count()).toBeGreaterThan(50);
   expect(await home.locator(".data tr").count()).toBeLessThan(500);
+  await home.locator(".data > summary").click();
+  await expect(home.locator(".data table")).toHaveCount(0);
 });
+
+for (const moves of [true, false]) {
+  test(`while the engine is still on its way, what is below the screen is laid out ${moves ? "when the reader moves" : "soon all the same"}`, async ({ page }) => {
+    /** @type {(value?: void) => void} */
+    let arrive = () => {};
+    const arrived = new Promise((/** @type {(value?: void) => void} */ resolve) => (arrive = resolve));
+    await page.route("**/*.wasm", async (route) => {
+      await arrived;
+      await route.abort();
+    });
+    if (moves) {
+      // No time is up.
+      await page.addInitScript(() => {
+        const own = window.setTimeout;
+        Object.assign(window, { setTimeout: (/** @type {() => void} */ work, /** @type {number} */ time) => (time >= 1000 ? 0 : own(work, time)) });
+      });
+    }
+    await page.goto("./");
+    const shown = () => page.locator("#model").evaluate((section) => getComputedStyle(section).contentVisibility !== "hidden");
+    if (moves) {
+      expect(await shown()).toBe(false);
+      await page.mouse.move(640, 360);
+      await page.mouse.wheel(0, 400);
+    }
+    await expect.poll(shown).toBe(true);
+    arrive();
+  });
+}

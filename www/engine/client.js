@@ -404,8 +404,13 @@ function askEarly(pool, id) {
     },
   );
   const takenUp = (/** @type {import("./pool.js").Answers} */ answers) => {
-    listening = answers;
-    for (const what of said.splice(0)) what(answers);
+    const listen = () => {
+      listening = answers;
+      for (const what of said.splice(0)) what(answers);
+    };
+    // What has been said already comes as what is said later does: in a task of its own, not while it is asked for.
+    if (said.length === 0) listen();
+    else setTimeout(listen);
     return ticket;
   };
   return { id, ticket, takenUp };

@@ -41,7 +41,7 @@ import { services } from "./services.js";
 import { furnish } from "./shadow.js";
 import { Status } from "./status.js";
 import { aspectOf, holdBack, hurry } from "./still.js";
-import { showTables } from "./table.js";
+import { hideTables, showTables } from "./table.js";
 import { inTurn, isHeldBack } from "./turn.js";
 import { FIRST, Turning } from "./turning.js";
 import { veiled } from "./veil.js";
@@ -334,8 +334,15 @@ export class GearFigure extends HTMLElement {
     this.#services.later(() => this.#buildPanel());
   }
 
-  layOut() {
-    void this.#parts.stage.clientWidth;
+  /** What the first drawing would wait for: its place, and the memory of its canvas, which a browser finds with the first stroke. */
+  makeReady() {
+    const { stage, canvas } = this.#parts;
+    if (stage.clientWidth < NARROWEST) return;
+    const { width, height } = storeOf(stage, density());
+    fitStore(canvas, width, height);
+    const context = canvas.getContext("2d");
+    context?.save();
+    context?.restore();
   }
 
   /** Before anything is known of the figure, its static drawing says how much room it takes. */
@@ -740,7 +747,9 @@ export class GearFigure extends HTMLElement {
   }
 
   #tabulate() {
-    if (this.#parts.data.open && this.#figure !== null) showTables(this.#parts.data, this.#figure);
+    const { data } = this.#parts;
+    if (!data.open) hideTables(data);
+    else if (this.#figure !== null) showTables(data, this.#figure);
   }
 
   /** @param {boolean} inSight */

@@ -9,6 +9,8 @@
   const patience = Number(document.currentScript?.dataset.patience);
   /** The same for the first figure, since the document was opened. */
   const firstPatience = Number(document.currentScript?.dataset.firstPatience);
+  /** Nothing that is just below the screen is held back longer, ms. */
+  const LONGEST = 2000;
   /** @type {[HTMLImageElement, string][]} */
   const held = [];
   const watch = new MutationObserver((changes) => {
@@ -34,14 +36,21 @@
     if (!dark && location.hash === "" && !performance.getEntriesByName("first-answer").length) show(held.splice(0, 1));
   };
   if (firstPatience) setTimeout(showFirst, firstPatience - performance.now());
+  const { dataset } = document.documentElement;
   addEventListener("DOMContentLoaded", () => {
     watch.disconnect();
     setTimeout(() => show(), patience);
+    setTimeout(showBelow, LONGEST);
   });
+  // Whoever goes on must find what is there.
+  const showBelow = () => {
+    if (dataset.opening === "first") dataset.opening = "";
+  };
+  for (const type of ["scroll", "wheel", "pointerdown", "click", "keydown", "focusin", "hashchange"]) addEventListener(type, showBelow, { once: true, capture: true, passive: true });
   addEventListener("beforeprint", () => show());
 
   // Only for whoever begins at the top: a place further down can be found only among sections that are laid out.
   const visit = performance.getEntriesByType("navigation")[0];
   const begins = location.hash === "" && visit instanceof PerformanceNavigationTiming && visit.type === "navigate";
-  if (begins) document.documentElement.dataset.opening = "";
+  if (begins) dataset.opening = "first";
 }

@@ -3,9 +3,11 @@
  * between frames, one at a time, for nobody sees when they change. So is one in sight that is drawn for the first time: that takes
  * as long again, and with the browser's own painting in one task it would hold the page up.
  *
- * @typedef {{readonly inSight: boolean, layOut(): void, paint(): void}} Painter  To be laid out is to be given its size, which takes what
- *   has changed around it into account.
+ * @typedef {{readonly inSight: boolean, makeReady(): void, paint(): void}} Painter  To be made ready is to be given its size, which takes
+ *   what has changed around it into account, and what it is drawn on.
  */
+
+import { inNextTask } from "./next-task.js";
 
 /** Time a frame may spend on drawing before the rest waits for the next one, ms. One figure is always drawn. */
 const BUDGET = 12;
@@ -16,8 +18,8 @@ const waiting = new Set();
 const warm = new WeakSet();
 /** Who wants to know when a painter has painted. @type {{painter: Painter, tell: () => void}[]} */
 let asking = [];
-/** Who was laid out last, for its first drawing. @type {Painter | null} */
-let laidOut = null;
+/** Who was made ready last, for its first drawing. @type {Painter | null} */
+let ready = null;
 let framed = false;
 let posted = false;
 /** Whether anything has been drawn yet. */
@@ -26,9 +28,6 @@ let begun = false;
 const waitingForFirst = [];
 /** What waits for a first drawing waits no longer than this, ms. */
 const FIRST_PATIENCE = 400;
-
-const between = new MessageChannel();
-between.port1.onmessage = paintBetween;
 
 /** @param {Painter} painter */
 export function requestPaint(painter) {
@@ -101,7 +100,7 @@ function schedule() {
   }
   if (!posted && painters.length > framing) {
     posted = true;
-    between.port2.postMessage(null);
+    inNextTask(paintBetween);
   }
 }
 
@@ -123,10 +122,9 @@ function paintBetween() {
   // What is seen comes first: the frame that is on its way asks again.
   if (framed && !next?.inSight) return;
   if (next !== undefined) {
-    // Out of sight its surroundings have changed before it is drawn for the first time, and to lay them out takes half as long as to draw it: each
-    // has a task.
-    if (next.inSight || warm.has(next) || laidOut === next) paint(next);
-    else (laidOut = next).layOut();
+    // To lay out what has changed around it and to give it a canvas takes half as long as to draw it for the first time: each has a task.
+    if (warm.has(next) || ready === next) paint(next);
+    else (ready = next).makeReady();
   }
   tellWhoAsked();
   schedule();
@@ -137,5 +135,7 @@ function paint(painter) {
   waiting.delete(painter);
   warm.add(painter);
   painter.paint();
-  if (!begun) waitNoMore();
+  if (begun) return;
+  begun = true;
+  inNextTask(waitNoMore);
 }

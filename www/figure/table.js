@@ -19,7 +19,6 @@ const FEWEST = 6;
 /** Digits of a number in a table: what a reader may want to check, not all that is known. */
 const DIGITS = 7;
 
-
 /**
  * Puts the figure's words and tables under the summary of its details.
  *
@@ -45,8 +44,17 @@ export function showTables(details, figure) {
   scroll.setAttribute("role", "region");
   scroll.setAttribute("aria-label", say("table.numbers"));
   scroll.append(...tables(figure));
-  for (const old of [...details.children].slice(1)) old.remove();
+  hideTables(details);
   details.append(words, method, ...(errors === "" ? [] : [trust]), ...apart, scroll);
+}
+
+/**
+ * Nothing under the summary: tables have thousands of nodes, and are made anew when they are wanted.
+ *
+ * @param {HTMLDetailsElement} details
+ */
+export function hideTables(details) {
+  for (const old of [...details.children].slice(1)) old.remove();
 }
 
 /**

@@ -8,6 +8,7 @@
  * @property {AbortSignal} signal  Once it is aborted there is nobody to begin.
  */
 
+import { inNextTask } from "./next-task.js";
 import { afterFirst, waitNoMore } from "./paint-queue.js";
 
 /** As style/story.css has it. */
@@ -20,8 +21,6 @@ const BUDGET = 6;
 let arriving = [];
 /** @type {Beginner[]} */
 const waiting = [];
-const between = new MessageChannel();
-between.port1.onmessage = goOn;
 
 /**
  * Whether an element has its place among what `hold-back.js` keeps from being laid out while the page opens: out of sight,
@@ -48,7 +47,7 @@ function beginShown() {
   waiting.push(...standing.flatMap(({ beginner, stands }) => (stands ? [] : [beginner])));
   const others = () => {
     for (const { beginner } of shown) if (!beginner.signal.aborted) beginner.begin(true);
-    if (idle && waiting.length > 0) between.port2.postMessage(null);
+    if (idle && waiting.length > 0) inNextTask(goOn);
   };
   first?.beginner.begin(true);
   // While a page opens, what the workers do for the others they do at the cost of what is about to be seen.
@@ -69,5 +68,5 @@ function goOn() {
     const next = waiting.shift();
     if (next !== undefined && !next.signal.aborted) next.begin(false);
   } while (waiting.length > 0 && performance.now() - start < BUDGET);
-  if (waiting.length > 0) between.port2.postMessage(null);
+  if (waiting.length > 0) inNextTask(goOn);
 }
