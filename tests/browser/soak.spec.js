@@ -128,6 +128,10 @@ async function goHome(page) {
   await page.evaluate(() => void (location.hash = "#story&v=1&theme=light&language=en&projector=off"));
   await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
   for (const id of ["fig-1", "fig-T"]) await settled(page, id);
+  // What is laid out takes memory: chance has more drawers open the longer it plays.
+  await page.evaluate(() => {
+    for (const figure of document.querySelectorAll("gear-figure")) for (const drawer of figure.shadowRoot?.querySelectorAll("details") ?? []) drawer.open = false;
+  });
   step = "a moment with nothing to do";
   // After drags that no hand has made Chromium at times takes one to be under way, and tells of no idle moment any more although it has nothing else.
   await page.evaluate(() => new Promise((resolve) => requestIdleCallback(() => requestAnimationFrame(() => resolve(null)), { timeout: 2000 })));
@@ -159,6 +163,21 @@ function inTime(what, work, longest = LONGEST) {
     timer = setTimeout(() => reject(new Late(`not in time: ${what}${step && `; it waits for ${step}`}`)), longest);
   });
   return Promise.race([work, late]).finally(() => clearTimeout(timer));
+}
+
+/** What the page is at when it does not come home, said within ten seconds or not at all. @param {Page} page */
+function situation(page) {
+  const asked = page.evaluate(async () => {
+    const frames = new Promise((resolve) => requestAnimationFrame(() => resolve(true)));
+    const patience = new Promise((resolve) => setTimeout(() => resolve(false), 2000));
+    const { engine } = /** @type {any} */ (window).__gear;
+    const figures = [...document.querySelectorAll("main > :not([hidden]) gear-figure")].map((/** @type {any} */ figure) => {
+      const { id, inSight, clientWidth, shown } = figure;
+      return `${id}${inSight ? " in sight" : ""} ${clientWidth} ${shown === null ? "without a picture" : ""} ${figure.shadowRoot?.querySelector(".status")?.textContent ?? ""}`.trim();
+    });
+    return { hash: location.hash, visible: document.visibilityState, frames: await Promise.race([frames, patience]), busy: engine.pool.busy, replaced: engine.pool.replaced, figures };
+  });
+  return inTime("the page says what it is at", asked, 10_000).catch((/** @type {Error} */ error) => error.message);
 }
 
 test("rounds through lessons, languages and views leave nothing behind", async ({ page }) => {
@@ -221,7 +240,9 @@ test.describe("with gears that move", () => {
     const before = await until(Math.min(5, WARM * MINUTES));
     // Asked for anew each time: a worker may have been replaced meanwhile.
     const look = async () => {
-      await inTime("the page comes home", goHome(page));
+      await inTime("the page comes home", goHome(page)).catch(async (/** @type {Error} */ error) => {
+        throw new Error(`${error.message}: ${JSON.stringify(await situation(page))}`);
+      });
       return inTime("memory is looked at", threads(page).then(held));
     };
     const warm = await look();
