@@ -44,7 +44,7 @@
   });
   // Whoever goes on must find what is there.
   const showBelow = () => {
-    if (dataset.opening === "first") dataset.opening = "";
+    if (dataset.opening !== undefined) dataset.opening = "";
   };
   for (const type of ["scroll", "wheel", "pointerdown", "click", "keydown", "focusin", "hashchange"]) addEventListener(type, showBelow, { once: true, capture: true, passive: true });
   addEventListener("beforeprint", () => show());
