@@ -99,7 +99,9 @@ export function givenOf(state, key) {
 }
 
 /**
- * The state with something changed about a figure; one about which nothing is left to say is forgotten.
+ * The state with something changed about a figure; one about which nothing is left to say is forgotten. The figures stand
+ * in one order, however they came there: engines give records of the same names in the same order one common shape, and
+ * a long history holds a thousand of them.
  *
  * @param {State} state
  * @param {string} key
@@ -110,7 +112,9 @@ export function withFigure(state, key, change) {
   const { [key]: before = UNTOUCHED, ...others } = state.figures;
   const figure = { ...before, ...change };
   if (same(figure, before)) return state;
-  return { ...state, figures: same(figure, UNTOUCHED) ? others : { ...others, [key]: figure } };
+  if (same(figure, UNTOUCHED)) return { ...state, figures: others };
+  const figures = Object.entries({ ...others, [key]: figure }).sort(([one], [other]) => (one < other ? -1 : 1));
+  return { ...state, figures: Object.fromEntries(figures) };
 }
 
 /**

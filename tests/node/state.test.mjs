@@ -157,3 +157,17 @@ test("subscribers are told of every change, with what was before, until they end
   store.redo();
   assert.deepEqual(told, ["auto dark", "dark auto"]);
 });
+
+test("the figures that were changed stand in one order, however they came there: a long history shares their shape", () => {
+  const keys = ["fig-11a", "fig-T", "fig-3", "fig-14b", "fig-1"];
+  for (let seed = 1; seed <= 20; seed += 1) {
+    const choose = random(seed);
+    let state = INITIAL;
+    for (let step = 0; step < 30; step += 1) {
+      const taken = choose.integer(0, 3) === 0;
+      state = withFigure(state, choose.of(keys), { given: taken ? {} : { k0: choose.next() } });
+      const names = Object.keys(state.figures);
+      assert.deepEqual(names, [...names].sort(), `seed ${seed}, step ${step}`);
+    }
+  }
+});
