@@ -35,6 +35,7 @@ import { plain } from "./markup.js";
 import { Clock } from "./motion.js";
 import { PATIENCE, paperWords } from "./paper.js";
 import { forgetPaint, requestPaint } from "./paint-queue.js";
+import { claim, fit, isPlaced, pixelsOf } from "./pixels.js";
 import { Reach } from "./reach.js";
 import { showRows } from "./rows.js";
 import { services } from "./services.js";
@@ -45,12 +46,11 @@ import { hideTables, showTables } from "./table.js";
 import { inTurn, isHeldBack } from "./turn.js";
 import { FIRST, Turning } from "./turning.js";
 import { veiled } from "./veil.js";
+import { Voice } from "./voice.js";
 import { sound } from "./windows.js";
 
 /** What takes longer than this says that it is being computed, ms. */
 const NOTICEABLE = 400;
-/** A canvas narrower than this is not on the page in earnest, CSS pixels. */
-const NARROWEST = 60;
 /** How wide a picture is of a figure that has no place on the page at present, CSS pixels. */
 const USUAL_WIDTH = 720;
 /** How far out of sight a figure still counts as seen. */
@@ -66,6 +66,7 @@ const UNCHANGED = Object.freeze({ given: {}, windows: {}, hidden: [], view: null
 export class GearFigure extends HTMLElement {
   #parts = furnish(this.attachShadow({ mode: "open" }));
   #status = new Status(this.#parts.status);
+  #voice = new Voice(this, this.#parts);
   /** Where the page's state keeps the parameters. */
   #key = "";
   /** @type {Services | null} */
@@ -136,9 +137,7 @@ export class GearFigure extends HTMLElement {
       windows: () => this.#shown.windows,
       look: (windows, gesture) => this.#services?.store.show(this.#key, { windows }, "act.window", gesture),
       read: (words) => this.#parts.readout.replaceChildren(words ?? ""),
-      speak: (words) => {
-        this.#parts.heard.textContent = words;
-      },
+      speak: (words) => this.#voice.speak(words),
       hasParameter: (name) => this.#info?.parameters.some((info) => info.name === name) ?? false,
       set: (name, value) => this.#set(name, value),
       hold: (held) => (held ? this.#services?.store.hold() : this.#services?.store.release()),
@@ -240,7 +239,7 @@ export class GearFigure extends HTMLElement {
   async portrait() {
     const figure = await this.data();
     const { clientWidth, clientHeight } = this.#parts.stage;
-    const placed = clientWidth >= NARROWEST;
+    const placed = isPlaced(this.#parts.stage);
     const width = placed ? clientWidth : USUAL_WIDTH;
     const height = placed ? clientHeight : Math.round(USUAL_WIDTH / (this.#info?.aspect ?? 1));
     const shown = spokenFigure(figure);
@@ -254,7 +253,7 @@ export class GearFigure extends HTMLElement {
    * @param {boolean} [wrong]
    */
   tell(sentence, wrong = false) {
-    if (this.hasAttribute("fit")) this.#parts.heard.textContent = sentence;
+    if (this.hasAttribute("fit")) this.#voice.speak(sentence);
     this.#status.sayForNow(sentence, wrong, () => this.#figure?.notes.join(" ") ?? "");
   }
 
@@ -293,7 +292,7 @@ export class GearFigure extends HTMLElement {
     const { windows, hidden } = this.#shown;
     if (this.#services?.engine.draws !== true || this.#questions > 1 || this.#info?.animated !== false || this.hasAttribute("veiled") || hidden.length > 0 || Object.keys(windows).length > 0) return null;
     const { stage } = this.#parts;
-    if (stage.clientWidth < NARROWEST) return null;
+    if (!isPlaced(stage)) return null;
     const view = { ...this.#turning?.direction, windows: {}, hidden: [] };
     return this.#wanted(view);
   }
@@ -305,18 +304,18 @@ export class GearFigure extends HTMLElement {
    */
   #wanted(view) {
     const pixels = density();
-    return { ...storeOf(this.#parts.stage, pixels), theme: this.#theme, density: pixels, view: { ...view, decimal: decimalSign() } };
+    return { ...pixelsOf(this.#parts.stage, pixels), theme: this.#theme, density: pixels, view: { ...view, decimal: decimalSign() } };
   }
 
   /** Draws now what is known now. */
   paint() {
     const { stage, canvas } = this.#parts;
-    if (this.#figure === null || this.#services === null || stage.clientWidth < NARROWEST) return;
+    if (this.#figure === null || this.#services === null || !isPlaced(stage)) return;
     const { hidden } = this.#shown;
     const view = this.#viewOf(this.#figure);
     this.#hidden = new Set(view.hidden);
     const { width, height, ...options } = this.#wanted(view);
-    fitStore(canvas, width, height);
+    fit(canvas, { width, height });
     try {
       const { frames, looks } = this.#services.engine.draw(this.#ahead ?? this.#figure, canvas, options);
       this.#maps = frames;
@@ -337,12 +336,9 @@ export class GearFigure extends HTMLElement {
   /** What the first drawing would wait for: its place, and the memory of its canvas, which a browser finds with the first stroke. */
   makeReady() {
     const { stage, canvas } = this.#parts;
-    if (stage.clientWidth < NARROWEST) return;
-    const { width, height } = storeOf(stage, density());
-    fitStore(canvas, width, height);
-    const context = canvas.getContext("2d");
-    context?.save();
-    context?.restore();
+    if (!isPlaced(stage)) return;
+    fit(canvas, pixelsOf(stage, density()));
+    claim(canvas);
   }
 
   /** Before anything is known of the figure, its static drawing says how much room it takes. */
@@ -350,8 +346,7 @@ export class GearFigure extends HTMLElement {
     const picture = this.querySelector("img");
     const aspect = aspectOf(picture);
     if (aspect !== null) this.#parts.stage.style.setProperty("--aspect", String(aspect));
-    this.#parts.canvas.setAttribute("aria-label", this.#title ?? picture?.alt ?? "");
-    this.#parts.described.textContent = picture?.alt ?? "";
+    this.#voice.standIn(picture?.alt ?? "");
     if (picture !== null) holdBack(picture, () => this.#isLive);
   }
 
@@ -500,9 +495,7 @@ export class GearFigure extends HTMLElement {
 
   /** Says in the language of the page what does not come from the module. */
   #speakAnew() {
-    this.#parts.canvas.setAttribute("aria-roledescription", say("figure.chart"));
-    this.#parts.canvas.setAttribute("aria-label", this.#title ?? plain(this.#figure?.title ?? spoken(this.#info?.title ?? "")));
-    this.#parts.keys.textContent = say(this.#info?.turnable ? "figure.keys.turn" : "figure.keys");
+    this.#voice.introduce(this.#info, this.#figure);
     this.#whole.textContent = say("figure.whole");
     this.#repaint();
   }
@@ -527,11 +520,6 @@ export class GearFigure extends HTMLElement {
   #told(figure) {
     const told = spokenFigure(figure);
     return this.hasAttribute("veiled") ? veiled(told) : told;
-  }
-
-  /** The heading that stands over the figure. */
-  get #title() {
-    return this.closest("figure")?.querySelector("h2, h3, h4, h5")?.textContent?.trim() ?? null;
   }
 
   /** What of the figure is seen. */
@@ -687,13 +675,13 @@ export class GearFigure extends HTMLElement {
     this.#showBusy(false);
     if (this.#blamed !== null) this.#panel?.complain(this.#blamed, null);
     this.#blamed = null;
-    this.#parts.described.textContent = plain(figure.summary);
+    this.#voice.describe(figure);
     this.#status.say(figure.notes.join(" "));
     this.#tabulate();
     // Twenty figures that all speak when the page opens are noise; one that answers its reader is not.
     // Where it is one of several that answer together, whoever put them there speaks for all.
     const together = this.hasAttribute("fit");
-    if (this.#questions > 1 && !together) this.#parts.heard.textContent = plain(figure.summary);
+    if (this.#questions > 1 && !together) this.#voice.speak(plain(figure.summary));
     if (!together) this.#parts.status.setAttribute("role", "status");
     this.#tell(this.#announced ? "gear-change" : "gear-ready", { figure: figure.id, params: figure.params });
     this.#announced = true;
@@ -737,8 +725,8 @@ export class GearFigure extends HTMLElement {
       this.#parts.rows.replaceChildren();
       showRows(this.#parts.rows, this.#figure);
     }
-    this.#parts.described.textContent = plain(this.#figure.summary);
-    this.#parts.heard.textContent = "";
+    this.#voice.describe(this.#figure);
+    this.#voice.speak("");
     this.#speakAnew();
     const busy = this.#computation?.busy === true && !this.#approach.awaited;
     this.#showBusy(busy);
@@ -783,28 +771,6 @@ export class GearFigure extends HTMLElement {
   #tell(name, detail) {
     this.dispatchEvent(new CustomEvent(name, { detail, bubbles: true, composed: true }));
   }
-}
-
-/**
- * As many pixels as the place has at a density.
- *
- * @param {HTMLElement} stage
- * @param {number} pixels  A CSS pixel.
- */
-function storeOf(stage, pixels) {
-  return { width: Math.round(stage.clientWidth * pixels), height: Math.round(stage.clientHeight * pixels) };
-}
-
-/**
- * Setting the size clears a canvas, so it is set only when it changes.
- *
- * @param {HTMLCanvasElement} canvas
- * @param {number} width
- * @param {number} height
- */
-function fitStore(canvas, width, height) {
-  if (canvas.width !== width) canvas.width = width;
-  if (canvas.height !== height) canvas.height = height;
 }
 
 /**
