@@ -118,11 +118,13 @@ test("sandboxes: without scripts the still drawing; with scripts alone, as far a
   const still = await show(closed, "figure=2", "");
   await expect(still.getByText("Scripts are not allowed here")).toBeVisible();
   await expect(still.locator(".still:visible")).toHaveCount(1);
+  await expect(still.locator('[id="figure=2"] img')).not.toHaveJSProperty("naturalWidth", 0);
   // An origin of no name is one of others: without leave to share, its scripts cannot even be fetched.
   const alone = await show(closed, "figure=11a&omega=1.6", "allow-scripts");
   await expect(alone.getByText("The script of the live figure cannot be loaded here")).toBeVisible();
   await expect(alone.locator(".still:visible")).toHaveCount(1);
   await expect(alone.locator('[id="figure=11a"] img')).toBeVisible();
+  await expect(alone.locator('[id="figure=11a"] img')).not.toHaveJSProperty("naturalWidth", 0);
   const open = await show(elsewhere({ "Access-Control-Allow-Origin": "*" }), "figure=11a&omega=1.6&controls=none", "allow-scripts");
   await expect(open.locator(".stage.live")).toBeVisible({ timeout: 30_000 });
   expect((await hears(page, "ready"))[0]).toMatchObject({ figure: "11a", params: { Omega: 1.6 } });
