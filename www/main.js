@@ -4,6 +4,7 @@ import { engine, GearError, PRIORITY } from "./engine/running.js";
 import { watchPrinting } from "./figure/appearance.js";
 import { currentFigure, watchFigures } from "./figure/current.js";
 import { GearFigure } from "./figure/gear-figure.js";
+import { fetchLetters } from "./figure/letters.js";
 import { inNextTask } from "./figure/next-task.js";
 import { paintAll, painted } from "./figure/paint-queue.js";
 import { provide } from "./figure/services.js";
@@ -30,6 +31,7 @@ import { learn, number, say, speak } from "./words/say.js";
 /** After this time nothing waits for figures any more, ms. */
 const LONGEST_OPENING = 4000;
 
+fetchLetters();
 learn(shellWords);
 learn(figureWords);
 

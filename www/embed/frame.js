@@ -10,14 +10,13 @@
 import { startEngine } from "../engine/client.js";
 import { fetchedByWorker } from "../engine/fetching.js";
 import { isReserved } from "../figure/attributes.js";
+import { fetchLetters } from "../figure/letters.js";
 import { EmbeddedFigure } from "./embedded-figure.js";
 import { equip } from "./equip.js";
 import { understood } from "./messages.js";
 
 /** What an address names beside parameters. */
 const OWN = ["figure", "controls", "theme"];
-/** What a figure is lettered with; see style/fonts/faces.css. */
-const FAMILY = "STIX Two Text";
 const NAME = /^[a-z][a-z0-9_.]{0,31}$/;
 
 /** Without a parent there is nobody to talk to: the document was opened by itself. */
@@ -46,17 +45,12 @@ addEventListener("message", (event) => {
   if (message !== null) obey(message);
 });
 
-/** A browser fetches a face when the first letter asks for it, and all is drawn anew when it has come: they are had before. */
-function loadFaces() {
-  for (const face of document.fonts) if (face.family.includes(FAMILY)) face.load().catch(() => {});
-}
-
 function equipOnce() {
   let awake = false;
   EmbeddedFigure.wake = () => {
     if (awake) return;
     awake = true;
-    loadFaces();
+    fetchLetters();
     equip(startEngine({ draws: true, fetchModule: fetchedByWorker }), new URL("../../", import.meta.url).href, () => import("./frame-exports.js"));
   };
 }

@@ -5,6 +5,7 @@
  * @typedef {import("../state.js").State} State
  */
 
+import { onLetters } from "./letters.js";
 import { beginAll } from "./turn.js";
 
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
@@ -83,8 +84,7 @@ function watchDensity() {
 
 watchDensity();
 for (const preference of [prefersDark, prefersContrast, forcesColors]) preference.addEventListener("change", tell);
-// Text that was drawn before its typeface had come.
-document.fonts.addEventListener("loadingdone", tell);
+onLetters(tell);
 
 /**
  * Paper is white: figures are drawn for it.
