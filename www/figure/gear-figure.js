@@ -35,7 +35,7 @@ import { plain } from "./markup.js";
 import { Clock } from "./motion.js";
 import { PATIENCE, paperWords } from "./paper.js";
 import { forgetPaint, requestPaint } from "./paint-queue.js";
-import { claim, fit, isPlaced, pixelsOf } from "./pixels.js";
+import { claim, fit, fits, isPlaced, pixelsOf } from "./pixels.js";
 import { Reach } from "./reach.js";
 import { showRows } from "./rows.js";
 import { services } from "./services.js";
@@ -110,6 +110,8 @@ export class GearFigure extends HTMLElement {
   /** Whether it may be computed in the page's own thread. */
   #here = false;
   #announced = false;
+  /** It had no place when it was to be drawn. */
+  #missed = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #notice;
   /** @type {import("./asking.js").Asker} */
@@ -165,7 +167,7 @@ export class GearFigure extends HTMLElement {
     });
     sight.observe(this.#parts.stage);
     this.#approach.watch(this.#parts.stage, signal);
-    const size = new ResizeObserver(() => this.#repaint());
+    const size = new ResizeObserver(() => this.#fit());
     size.observe(this.#parts.stage);
     const attributes = new MutationObserver((changes) => {
       if (changes.some(({ attributeName }) => attributeName === "figure")) this.#beginAnew();
@@ -310,7 +312,9 @@ export class GearFigure extends HTMLElement {
   /** Draws now what is known now. */
   paint() {
     const { stage, canvas } = this.#parts;
-    if (this.#figure === null || this.#services === null || !isPlaced(stage)) return;
+    if (this.#figure === null || this.#services === null) return;
+    this.#missed = !isPlaced(stage);
+    if (this.#missed) return;
     const { hidden } = this.#shown;
     const view = this.#viewOf(this.#figure);
     this.#hidden = new Set(view.hidden);
@@ -753,6 +757,12 @@ export class GearFigure extends HTMLElement {
     if (isHeldBack(this)) return false;
     const { width, top, bottom } = this.getBoundingClientRect();
     return width > 0 && bottom > 0 && top < innerHeight;
+  }
+
+  /** An observer also speaks of a place that is as large as before, or by less than a pixel another. */
+  #fit() {
+    const { stage, canvas } = this.#parts;
+    if (this.#missed || !fits(canvas, pixelsOf(stage, density()))) this.#repaint();
   }
 
   #paintNow() {

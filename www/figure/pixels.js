@@ -19,6 +19,16 @@ export function pixelsOf(stage, density) {
 }
 
 /**
+ * Whether a canvas has just as many.
+ *
+ * @param {HTMLCanvasElement} canvas
+ * @param {{width: number, height: number}} pixels
+ */
+export function fits(canvas, { width, height }) {
+  return canvas.width === width && canvas.height === height;
+}
+
+/**
  * Setting the size clears a canvas, so it is set only when it changes.
  *
  * @param {HTMLCanvasElement} canvas
