@@ -126,20 +126,51 @@ test("a theme is chosen in the settings, figures follow, and the choice is kept"
   expect(same).toBe("rgb(20, 23, 27)");
 });
 
+test("what is remembered and addressed is seen before the page's script has come; where it never comes there is the story", async ({ browser, baseURL }) => {
+  // A context of its own: that a script does not come is said on its console.
+  const context = await browser.newContext({ baseURL, serviceWorkers: "block" });
+  const page = await context.newPage();
+  await page.addInitScript(() => location.protocol === "http:" && localStorage.setItem("gear-bifurcations.preferences", JSON.stringify({ theme: "dark" })));
+  /** @type {(() => void)[]} */
+  const waiting = [];
+  let comes = true;
+  await page.route("**/www/main.js", async (route) => {
+    await new Promise((resolve) => waiting.push(() => resolve(null)));
+    await (comes ? route.continue() : route.abort());
+  });
+  const story = page.locator("main > [data-view=story]");
+  const ground = () => page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
+  for (const [address, visible, colour] of /** @type {const} */ ([["#class", false, "rgb(20, 23, 27)"], ["#story", true, "rgb(20, 23, 27)"], ["#lab&v=1&theme=light", false, "rgb(255, 255, 255)"]])) {
+    await page.goto("about:blank");
+    await page.goto(`./?test${address}`, { waitUntil: "commit" });
+    await page.locator("footer").waitFor({ state: "attached" });
+    await expect(story).toBeVisible({ visible });
+    expect(await ground()).toBe(colour);
+    await expect.poll(() => waiting.length).toBeGreaterThan(0);
+    if (address.startsWith("#lab")) comes = false;
+    for (const go of waiting.splice(0)) go();
+    if (comes) await expect(page.locator("main > [data-view]:visible")).toHaveCount(1);
+  }
+  await expect(story).toBeVisible();
+  await context.close();
+});
+
 test.describe("with gears that move", () => {
   test.use({ moving: true });
 
-  test("nothing jumps while the page comes alive", async ({ page }) => {
-    await page.addInitScript(() => {
-      Object.assign(window, { shift: 0 });
-      new PerformanceObserver((list) => {
-        for (const entry of list.getEntries()) /** @type {any} */ (window).shift += /** @type {any} */ (entry).value;
-      }).observe({ type: "layout-shift", buffered: true });
+  for (const [view, last] of [["story", "#fig-1 .panel"], ["lab", "#lab-W .stage.live"], ["class", "[data-view=class] button"]])
+    test(`nothing jumps while the page comes alive: ${view}`, async ({ page }) => {
+      await page.addInitScript(() => {
+        Object.assign(window, { shift: 0 });
+        new PerformanceObserver((list) => {
+          for (const entry of list.getEntries()) /** @type {any} */ (window).shift += /** @type {any} */ (entry).value;
+        }).observe({ type: "layout-shift", buffered: true });
+      });
+      if (view === "story") await open(page);
+      else await page.goto(`./?test#${view}`);
+      await expect(page.locator(last).first()).toBeVisible();
+      expect(await page.evaluate(() => /** @type {any} */ (window).shift)).toBeLessThan(0.05);
     });
-    await open(page);
-    await expect(page.locator("#fig-1 .panel")).toBeVisible();
-    expect(await page.evaluate(() => /** @type {any} */ (window).shift)).toBeLessThan(0.05);
-  });
 
   test("question, moving gears and the chart with its handle stand on the first screen, and the gears follow the handle", async ({ page }) => {
     await page.setViewportSize({ width: 1440, height: 900 });

@@ -24,6 +24,7 @@ const DELIVERY_INLINE: &str = "www/engine/delivery-inline.js";
 const RUNNING: &str = "www/engine/running.js";
 const MAIN: &str = "www/main.js";
 const FIGURE: &str = "www/embed/figure-file.js";
+const BEFOREHAND: &str = "www/shell/beforehand.js";
 const HOLD_BACK: &str = "www/figure/hold-back.js";
 /// What workers run.
 pub const WORKER: &str = "www/engine/worker.js";
@@ -49,6 +50,8 @@ pub struct Single<'a> {
     parts: [String; PARTS.len()],
     /// A figure's file, without the parts.
     shell: String,
+    /// The script that says how the page looks before any of it is shown.
+    beforehand: String,
     /// The script that keeps still drawings from being read before they are needed.
     hold_back: String,
     /// The modules that only the whole page has.
@@ -63,8 +66,11 @@ impl<'a> Single<'a> {
         let inline = modules.get(DELIVERY_INLINE).cloned();
         let inline = inline.ok_or_else(|| Failure::invalid(DELIVERY_INLINE, "there is no such module"))?;
         modules.insert(DELIVERY.to_owned(), inline);
-        let hold_back = modules.get(HOLD_BACK).map(|text| script::dense(text));
-        let hold_back = hold_back.ok_or_else(|| Failure::invalid(HOLD_BACK, "there is no such script"))?;
+        let plain = |name: &str| match modules.get(name) {
+            Some(text) => Ok(script::dense(text)),
+            None => Err(Failure::invalid(name, "there is no such script")),
+        };
+        let (beforehand, hold_back) = (plain(BEFOREHAND)?, plain(HOLD_BACK)?);
         let [module, code, page] = three(link::scripts(&modules, &[&[MODULE], &[FIGURE], &[MAIN]])?)?;
         let [_, worker, _] = three(link::scripts(&modules, &[&[MODULE], &[WORKER], &[WORKER]])?)?;
         let [module, code, page, worker] = [module, code, page, worker].map(|text| script::dense(&text));
@@ -74,7 +80,15 @@ impl<'a> Single<'a> {
         let shell = shell(site, figure, &picture, &Scripts { early: "", late: &started(FIGURE) })?;
         let packed = base64::encoded(shell.as_bytes());
         let style = style(site, index)?;
-        Ok(Self { site, parts: [style, wasm, module, worker, code, packed], shell, hold_back, page, index })
+        Ok(Self {
+            site,
+            parts: [style, wasm, module, worker, code, packed],
+            shell,
+            beforehand,
+            hold_back,
+            page,
+            index,
+        })
     }
 
     /// The whole page. Where it would be too large, the heaviest of the drawings that stand in for figures without scripts
@@ -90,7 +104,8 @@ impl<'a> Single<'a> {
             };
             let late = format!("<script id=\"gear-page\">\n{}</script>\n{}", self.page, started(MAIN));
             let early = format!(
-                "<script data-patience=\"{PATIENCE}\" data-first-patience=\"{FIRST_PATIENCE}\">\n{}</script>\n{}",
+                "<script>\n{}</script>\n<script data-patience=\"{PATIENCE}\" data-first-patience=\"{FIRST_PATIENCE}\">\n{}</script>\n{}",
+                self.beforehand,
                 self.hold_back,
                 started(RUNNING)
             );

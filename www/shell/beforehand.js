@@ -1,0 +1,20 @@
+// How the page looks, as far as its address and what the browser remembers say so, before any of it is shown: a dark page would
+// begin with a white one otherwise, and the laboratory with the story. This script stands in the document itself; `main.js`
+// reads both again, with care, and where this may not run the page begins as it stands.
+{
+  const { dataset } = document.documentElement;
+  const address = new URLSearchParams(location.hash.slice(1));
+  const [view = ""] = address.keys();
+  let remembered;
+  try {
+    remembered = JSON.parse(localStorage.getItem("gear-bifurcations.preferences") ?? "{}")?.theme;
+  } catch {
+    // Forbidden, or written by something else.
+  }
+  const theme = [address.get("theme"), remembered].find((name) => ["auto", "light", "dark", "contrast"].includes(name));
+  if (theme) dataset.theme = theme;
+  if (address.get("projector") === "on") dataset.projector = "true";
+  if (view === "lab" || view === "class") dataset.view = view;
+  // Without the page's own script there are no other views.
+  addEventListener("error", ({ target }) => target instanceof HTMLScriptElement && delete dataset.view, { capture: true });
+}
