@@ -19,6 +19,8 @@ const BUDGET = 6;
 
 /** @type {Beginner[]} */
 let arriving = [];
+/** Whether any has begun. */
+let begun = false;
 /** @type {Beginner[]} */
 const waiting = [];
 
@@ -35,11 +37,13 @@ export function isHeldBack(element) {
 /** @param {Beginner} beginner */
 export function inTurn(beginner) {
   arriving.push(beginner);
-  // Those that come together are looked at together: what each of them changes would have all places computed anew.
-  if (arriving.length === 1) queueMicrotask(beginShown);
+  // Those that come together are looked at together: what each of them changes would have all places computed anew. Whoever put
+  // a whole room of them there has done enough for one task; only the page's own first figures do not wait for the next.
+  if (arriving.length === 1) (begun ? inNextTask : queueMicrotask)(beginShown);
 }
 
 function beginShown() {
+  begun = true;
   const standing = arriving.map((beginner) => ({ beginner, stands: !beginner.signal.aborted && beginner.stands() }));
   arriving = [];
   const idle = waiting.length === 0;
