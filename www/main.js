@@ -19,7 +19,7 @@ import { recall, remember } from "./shell/preferences.js";
 import { announcer } from "./shell/services.js";
 import { typeAhead } from "./shell/type-ahead.js";
 import { LANGUAGES, SHARED, Store, THEMES, withPreset } from "./state.js";
-import { ANCHORS, layOutAll, letFarSectionsRest } from "./story/rest.js";
+import { ANCHORS, bringNear, holdSections, layOutAll, letFarSectionsRest } from "./story/rest.js";
 import { startStory } from "./story/story.js";
 import { parse } from "./url.js";
 import { words as figureWords } from "./words/en/figure.js";
@@ -75,20 +75,19 @@ let waiting = [];
 const OPENING = 2000;
 services.then(() => (all === 0 ? complete() : setTimeout(complete, OPENING)), settle);
 // A story that is not shown at first is laid out piece by piece when it is.
-if (view !== "story" && ANCHORS) document.documentElement.dataset.opening = "";
+if (view !== "story" && ANCHORS) holdSections();
 
 /** To be called when all of the story is about to look otherwise: it is styled and laid out piece by piece then. @type {(() => void) | null} */
 let restStory = null;
 
 /** Lays out what `figure/hold-back.js` has kept back and no figure has brought yet. */
-function settle() {
-  const { dataset } = document.documentElement;
-  if (dataset.opening === "first") dataset.opening = "near";
+async function settle() {
+  await bringNear();
   restStory ??= letFarSectionsRest(element('main > [data-view="story"]'));
 }
 
 function complete() {
-  settle();
+  void settle();
   void engine.then((running) => running.complete());
 }
 
@@ -103,7 +102,6 @@ function isOfThePaper(figure) {
  * @param {Element} figure
  */
 function countDrawing(figure) {
-  figure.closest("section")?.classList.add("laid-out");
   if (!isOfThePaper(figure)) return;
   drawn += 1;
   if (drawn === 1) performance.mark("first-figure");

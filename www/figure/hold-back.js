@@ -13,8 +13,14 @@
   const LONGEST = 2000;
   /** @type {[HTMLImageElement, string][]} */
   const held = [];
+  const { dataset } = document.documentElement;
+  // Only for whoever begins at the top: a place further down can be found only among sections that are laid out.
+  const visit = performance.getEntriesByType("navigation")[0];
+  const begins = location.hash === "" && visit instanceof PerformanceNavigationTiming && visit.type === "navigate";
+  if (begins) dataset.opening = "first";
   const watch = new MutationObserver((changes) => {
     for (const node of changes.flatMap(({ addedNodes }) => [...addedNodes])) {
+      if (begins && node instanceof HTMLElement && node.localName === "section" && node.parentElement?.dataset.view === "story") node.classList.add("held");
       if (!(node instanceof HTMLImageElement) || node.parentElement?.localName !== "gear-figure") continue;
       held.push([node, node.getAttribute("src") ?? ""]);
       node.removeAttribute("src");
@@ -36,7 +42,6 @@
     if (!dark && location.hash === "" && !performance.getEntriesByName("first-answer").length) show(held.splice(0, 1));
   };
   if (firstPatience) setTimeout(showFirst, firstPatience - performance.now());
-  const { dataset } = document.documentElement;
   addEventListener("DOMContentLoaded", () => {
     watch.disconnect();
     setTimeout(() => show(), patience);
@@ -48,9 +53,4 @@
   };
   for (const type of ["scroll", "wheel", "pointerdown", "click", "keydown", "focusin", "hashchange"]) addEventListener(type, showBelow, { once: true, capture: true, passive: true });
   addEventListener("beforeprint", () => show());
-
-  // Only for whoever begins at the top: a place further down can be found only among sections that are laid out.
-  const visit = performance.getEntriesByType("navigation")[0];
-  const begins = location.hash === "" && visit instanceof PerformanceNavigationTiming && visit.type === "navigate";
-  if (begins) dataset.opening = "first";
 }

@@ -12,7 +12,7 @@ import { inNextTask } from "./next-task.js";
 import { afterFirst, waitNoMore } from "./paint-queue.js";
 
 /** As style/story.css has it. */
-const HELD_BACK = ':root[data-opening] main > [data-view="story"]:not([hidden]) > section:not(.laid-out)';
+const HELD_BACK = 'main > [data-view="story"]:not([hidden]) > section.held';
 
 /** Time one turn may take, ms. */
 const BUDGET = 6;

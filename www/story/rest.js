@@ -48,10 +48,14 @@ export function letFarSectionsRest(host) {
   const wake = async () => {
     if (waking) return;
     waking = true;
+    // Not in the frame in which this is asked for.
+    await nextTask();
     for (const section of resting) {
       if (hidden()) break;
       resting.delete(section);
-      section.classList.add("laid-out");
+      // What rests as a whole can be laid out as a whole.
+      section.classList.replace("held", "far");
+      layOut(section);
       section.classList.remove("far");
       await nextFrame();
     }
@@ -74,9 +78,36 @@ export function letFarSectionsRest(host) {
   return restAndWake;
 }
 
+/**
+ * What is just below the screen comes up to where it belongs, one part of it after the other.
+ *
+ * @returns {Promise<void>}
+ */
+export async function bringNear() {
+  const { dataset } = document.documentElement;
+  for (const part of document.querySelectorAll(".below")) {
+    if (dataset.opening !== "first") return;
+    layOut(part);
+    await nextTask();
+  }
+  if (dataset.opening === "first") dataset.opening = "near";
+}
+
+/** Lays out what rests, here and now: the frame that shows it then has only to paint it. @param {Element} resting */
+function layOut(resting) {
+  resting.querySelector("*")?.getBoundingClientRect();
+}
+
 /** From now on nothing is held back that `figure/hold-back.js` has held back: all has its right place. */
 export function layOutAll() {
   delete document.documentElement.dataset.opening;
+  for (const section of document.querySelectorAll("section.held")) section.classList.remove("held");
+}
+
+/** Holds back what is not shown at first: it is laid out piece by piece when it is. */
+export function holdSections() {
+  document.documentElement.dataset.opening = "";
+  for (const section of document.querySelectorAll('main > [data-view="story"] > section')) section.classList.add("held");
 }
 
 /** Nothing rests: who goes far goes by heights that are true. */
@@ -88,4 +119,9 @@ export function wakeAll() {
 /** @returns {Promise<void>} */
 function nextFrame() {
   return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+}
+
+/** @returns {Promise<void>} */
+function nextTask() {
+  return new Promise((resolve) => setTimeout(resolve));
 }
