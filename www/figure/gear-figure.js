@@ -157,6 +157,9 @@ export class GearFigure extends HTMLElement {
     const { signal } = this.#life;
     this.#key = this.id || `figure-${(anonymous += 1)}`;
     this.#reservePlace();
+    const drawn = new Promise((resolve) => {
+      for (const end of ["gear-paint", "gear-error"]) this.addEventListener(end, resolve, { once: true, signal });
+    });
     let tellBegun = () => {};
     this.#begun = new Promise((resolve) => {
       tellBegun = resolve;
@@ -192,6 +195,7 @@ export class GearFigure extends HTMLElement {
             this.#begin(provided, signal);
             tellBegun();
           },
+          drawn,
           signal,
         }),
       (thrown) => {

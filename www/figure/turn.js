@@ -1,10 +1,11 @@
 /**
- * Figures begin in turn: the first that stands on the screen at once, the others there when it is drawn, the rest between whatever
- * else the page has to do, for thirty of them in one go would hold it up.
+ * Figures begin in turn: the first that stands on the screen at once, the others there when it is drawn, the rest when those are, between
+ * whatever else the page has to do, for thirty of them in one go would hold it up.
  *
  * @typedef {object} Beginner
  * @property {() => boolean} stands  Whether it is on the screen by its place.
  * @property {(stands: boolean) => void} begin
+ * @property {Promise<unknown>} drawn  Its first drawing stands, or cannot come.
  * @property {AbortSignal} signal  Once it is aborted there is nobody to begin.
  */
 
@@ -14,6 +15,8 @@ import { afterFirst, waitNoMore } from "./paint-queue.js";
 /** As style/story.css has it. */
 const HELD_BACK = 'main > [data-view="story"]:not([hidden]) > section.held';
 
+/** What is out of sight waits no longer than this for what is seen to be drawn, ms. */
+const PATIENCE = 400;
 /** Time one turn may take, ms. */
 const BUDGET = 6;
 
@@ -51,7 +54,9 @@ function beginShown() {
   waiting.push(...standing.flatMap(({ beginner, stands }) => (stands ? [] : [beginner])));
   const others = () => {
     for (const { beginner } of shown) if (!beginner.signal.aborted) beginner.begin(true);
-    if (idle && waiting.length > 0) inNextTask(goOn);
+    if (!idle || waiting.length === 0) return;
+    const rest = new Promise((resolve) => setTimeout(resolve, PATIENCE));
+    void Promise.race([Promise.all(shown.map(({ beginner }) => beginner.drawn)), rest]).then(() => inNextTask(goOn));
   };
   first?.beginner.begin(true);
   // While a page opens, what the workers do for the others they do at the cost of what is about to be seen.
