@@ -32,6 +32,28 @@ test("a place is gone to with everything else as it was", async ({ page }) => {
   await expect(page).toHaveURL(/at=tongues/);
 });
 
+for (const [place, width, height] of /** @type {const} */ ([["errata", 1440, 900], ["hopf", 360, 740]]))
+  test(`a link leads to its place, and the place stays while what is above it is drawn: ${place}`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await page.goto(`./?test#story&v=1&at=${place}`);
+    const target = page.locator(`#${place}`);
+    // All that grows above it has grown: pictures have their legends and sliders.
+    const growing = () => target.evaluate((element) => {
+      const above = [...document.querySelectorAll("main gear-figure")].filter((figure) => figure.compareDocumentPosition(element) & Node.DOCUMENT_POSITION_FOLLOWING);
+      return above.filter(({ shadowRoot }) => !shadowRoot?.querySelector(".panel")).length;
+    });
+    await expect.poll(growing, { timeout: 30_000 }).toBe(0);
+    const top = () => target.evaluate((element) => element.getBoundingClientRect().top);
+    await expect.poll(top).toBeLessThan(40);
+    expect(await top()).toBeGreaterThan(-90);
+    // Whoever goes on by themselves is not called back.
+    await page.keyboard.press("End");
+    await expect(page.locator("footer")).toBeInViewport();
+    await page.locator("#fig-T").evaluate((figure) => /** @type {HTMLElement} */ (figure.parentElement).style.setProperty("margin-block-end", "50px"));
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    await expect(page.locator("footer")).toBeInViewport();
+  });
+
 test("the story rests while another view is shown, and comes back as it was, all of it", async ({ page }) => {
   await open(page);
   const sections = page.locator("main > [data-view='story'] > section");

@@ -8,6 +8,14 @@
 
 import { wakeAll } from "./rest.js";
 
+/** What readers do who go on by themselves. */
+const MOVES = ["wheel", "touchmove", "pointerdown", "keydown"];
+/** So long a place is kept where it was brought, ms: all figures are complete by then. */
+const LONGEST = 30_000;
+
+/** Ends the keeping of the last place. */
+let keeping = new AbortController();
+
 const prefersStill = matchMedia("(prefers-reduced-motion: reduce)");
 
 /**
@@ -102,7 +110,7 @@ function readerMoves(awaited) {
   const over = new AbortController();
   /** @type {Promise<boolean>} */
   const moves = new Promise((resolve) => {
-    for (const event of ["wheel", "touchmove", "pointerdown", "keydown"]) {
+    for (const event of MOVES) {
       addEventListener(event, () => resolve(true), { signal: over.signal, passive: true });
     }
   });
@@ -117,7 +125,35 @@ function readerMoves(awaited) {
  */
 function show(place, behavior) {
   wakeAll();
-  place.scrollIntoView({ behavior, block: place.tagName === "TR" ? "center" : "start" });
+  keeping.abort();
+  keeping = new AbortController();
+  const { signal } = keeping;
+  for (const event of MOVES) addEventListener(event, () => keeping.abort(), { signal, passive: true, capture: true });
+  const block = place.tagName === "TR" ? "center" : "start";
+  place.scrollIntoView({ behavior, block });
+  if (behavior === "instant") keep(place, block, signal);
+  else addEventListener("scrollend", () => keep(place, block, signal), { once: true, signal });
   if (place.tabIndex < 0) place.tabIndex = -1;
   place.focus({ preventScroll: true });
+}
+
+/**
+ * Figures above a place are drawn while it is looked at, with legends and sliders below them, and each would push it away.
+ *
+ * @param {HTMLElement} place
+ * @param {ScrollLogicalPosition} block
+ * @param {AbortSignal} signal
+ */
+function keep(place, block, signal) {
+  const put = () => {
+    if (!signal.aborted && place.getClientRects().length > 0) place.scrollIntoView({ behavior: "instant", block });
+  };
+  // Whoever scrolls while sizes are told is told of a loop.
+  const size = new ResizeObserver(() => requestAnimationFrame(put));
+  size.observe(document.body);
+  const end = setTimeout(() => size.disconnect(), LONGEST);
+  signal.addEventListener("abort", () => {
+    clearTimeout(end);
+    size.disconnect();
+  });
 }
