@@ -348,6 +348,7 @@ async function chooseLanguage(chosen) {
   // Charts are called by the headings over them.
   translate(document, words);
   speak(chosen, words);
+  delete document.documentElement.dataset.wordless;
   // What was said in the other language is over.
   announce("");
   restStory?.();

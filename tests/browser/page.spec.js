@@ -158,16 +158,23 @@ test("what is remembered and addressed is seen before the page's script has come
 test.describe("with gears that move", () => {
   test.use({ moving: true });
 
-  for (const [view, last] of [["story", "#fig-1 .panel"], ["lab", "#lab-W .stage.live"], ["class", "[data-view=class] button"]])
-    test(`nothing jumps while the page comes alive: ${view}`, async ({ page }) => {
+  for (const [address, last, width] of /** @type {const} */ ([
+    ["", "#fig-1 .panel", 1280],
+    ["#lab", "#lab-W .stage.live", 1280],
+    ["#class", "[data-view=class] button", 1280],
+    ["#story&language=de", "#fig-1 .panel", 360],
+    ["#lab&language=de", "#lab-T .stage.live", 360],
+  ]))
+    test(`nothing jumps while the page comes alive: ${address || "without an address"}`, async ({ page }) => {
+      await page.setViewportSize({ width, height: 740 });
       await page.addInitScript(() => {
         Object.assign(window, { shift: 0 });
         new PerformanceObserver((list) => {
           for (const entry of list.getEntries()) /** @type {any} */ (window).shift += /** @type {any} */ (entry).value;
         }).observe({ type: "layout-shift", buffered: true });
       });
-      if (view === "story") await open(page);
-      else await page.goto(`./?test#${view}`);
+      if (address === "") await open(page);
+      else await page.goto(`./?test${address}`);
       await expect(page.locator(last).first()).toBeVisible();
       expect(await page.evaluate(() => /** @type {any} */ (window).shift)).toBeLessThan(0.05);
     });

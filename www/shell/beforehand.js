@@ -7,14 +7,19 @@
   const [view = ""] = address.keys();
   let remembered;
   try {
-    remembered = JSON.parse(localStorage.getItem("gear-bifurcations.preferences") ?? "{}")?.theme;
+    remembered = JSON.parse(localStorage.getItem("gear-bifurcations.preferences") ?? "{}");
   } catch {
     // Forbidden, or written by something else.
   }
-  const theme = [address.get("theme"), remembered].find((name) => ["auto", "light", "dark", "contrast"].includes(name));
+  const theme = [address.get("theme"), remembered?.theme].find((name) => ["auto", "light", "dark", "contrast"].includes(name));
   if (theme) dataset.theme = theme;
   if (address.get("projector") === "on") dataset.projector = "true";
   if (view === "lab" || view === "class") dataset.view = view;
+  // Another language takes other room: nothing is read in this one first, unless its words do not come.
+  if ((address.get("language") ?? remembered?.language) === "de") {
+    dataset.wordless = "";
+    setTimeout(() => delete dataset.wordless, 1500);
+  }
   // Without the page's own script there are no other views.
   addEventListener("error", ({ target }) => target instanceof HTMLScriptElement && delete dataset.view, { capture: true });
 }
