@@ -5,7 +5,7 @@
  * @typedef {import("./gear-figure.js").GearFigure} GearFigure
  */
 
-/** @type {Element | null} */
+/** It may have left the page, and is not to be kept for this. @type {WeakRef<Element> | null} */
 let last = null;
 
 /** Watches which figure its reader is at. */
@@ -15,7 +15,7 @@ export function watchFigures() {
       act,
       (event) => {
         const figure = event.composedPath().find((part) => part instanceof Element && part.localName === "gear-figure");
-        if (figure instanceof Element) last = figure;
+        if (figure instanceof Element) last = new WeakRef(figure);
       },
       { capture: true, passive: true },
     );
@@ -34,7 +34,7 @@ export function currentFigure() {
     const { top, bottom } = figure.getBoundingClientRect();
     return bottom > 0 && top < innerHeight;
   };
-  const held = shown.find((figure) => figure === last);
+  const held = shown.find((figure) => figure === last?.deref());
   if (held !== undefined && near(held)) return held;
   return shown.reduce((/** @type {GearFigure | null} */ best, figure) => (best === null || far(figure) < far(best) ? figure : best), null);
 }

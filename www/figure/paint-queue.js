@@ -60,6 +60,7 @@ export function waitNoMore() {
 /** @param {Painter} painter */
 export function forgetPaint(painter) {
   waiting.delete(painter);
+  if (ready === painter) ready = null;
   tellWhoAsked();
 }
 
@@ -134,6 +135,7 @@ function paintBetween() {
 function paint(painter) {
   waiting.delete(painter);
   warm.add(painter);
+  ready = null;
   painter.paint();
   if (begun) return;
   begun = true;
