@@ -179,6 +179,22 @@ test.describe("with gears that move", () => {
       expect(await page.evaluate(() => /** @type {any} */ (window).shift)).toBeLessThan(0.05);
     });
 
+  test("gears that leave the page before they were to move do not move on unseen", async ({ page }) => {
+    await page.addInitScript(() => {
+      const ask = requestAnimationFrame.bind(window);
+      Object.assign(window, { asked: 0, requestAnimationFrame: (/** @type {FrameRequestCallback} */ call) => ((/** @type {any} */ (window).asked += 1), ask(call)) });
+      addEventListener("gear-paint", ({ target }) => target instanceof HTMLElement && target.id === "fig-1" && target.remove(), { capture: true });
+    });
+    await open(page);
+    await expect(page.locator("#fig-2 .panel")).toBeAttached();
+    const asked = () => page.evaluate(async () => {
+      const before = /** @type {any} */ (window).asked;
+      await new Promise((resolve) => setTimeout(resolve, 500));
+      return /** @type {any} */ (window).asked - before;
+    });
+    await expect.poll(asked).toBeLessThan(5);
+  });
+
   test("question, moving gears and the chart with its handle stand on the first screen, and the gears follow the handle", async ({ page }) => {
     await page.setViewportSize({ width: 1440, height: 900 });
     await open(page);

@@ -113,6 +113,14 @@ async function settled(page, id) {
   });
 }
 
+/** Opens the drawers of sliders, or closes all that can be opened beside figures; in the page. @param {boolean} open */
+async function setDrawers(open) {
+  const drawers = [...document.querySelectorAll("gear-figure")].flatMap((figure) => [.../** @type {NodeListOf<HTMLDetailsElement>} */ (figure.shadowRoot?.querySelectorAll(open ? "details.more" : "details"))]);
+  for (const drawer of drawers) drawer.open = open;
+  // They are told of it in a task of its own.
+  await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+}
+
 /** What is waited for on the way home: whoever waits in vain is to say at which step. */
 let step = "";
 
@@ -129,9 +137,7 @@ async function goHome(page) {
   await page.evaluate(() => scrollTo({ top: 0, behavior: "instant" }));
   for (const id of ["fig-1", "fig-T"]) await settled(page, id);
   // What is laid out takes memory: chance has more drawers open the longer it plays.
-  await page.evaluate(() => {
-    for (const figure of document.querySelectorAll("gear-figure")) for (const drawer of figure.shadowRoot?.querySelectorAll("details") ?? []) drawer.open = false;
-  });
+  await page.evaluate(setDrawers, false);
   step = "a moment with nothing to do";
   // After drags that no hand has made Chromium at times takes one to be under way, and tells of no idle moment any more although it has nothing else.
   await page.evaluate(() => new Promise((resolve) => requestIdleCallback(() => requestAnimationFrame(() => resolve(null)), { timeout: 2000 })));
@@ -218,12 +224,15 @@ test.describe("with gears that move", () => {
     test.setTimeout(MINUTES * 60_000 + 600_000);
     await open(page);
     const choose = random(5);
-    // Every room and every lesson is kept once it has been entered, which chance might do early or late.
-    for (const place of [...PLACES, ...LESSONS.map((lesson) => `#class&v=1&lesson=${lesson}`)]) {
+    // Every room and every lesson is kept once it has been entered, and the rest of a figure's sliders once their drawer has been opened,
+    // which chance might do early or late.
+    for (const place of [...PLACES, ...LESSONS.map((lesson) => `#class&v=1&lesson=${lesson}`), "#story&v=1"]) {
       await page.evaluate((hash) => void (location.hash = hash), place);
       await page.locator("main > [data-view]:not([hidden]) :is(h1, h2)").first().waitFor();
       await page.waitForTimeout(LOOK);
     }
+    await expect.poll(() => page.locator("main > [data-view=story] gear-figure .panel").count()).toBe(await page.locator("main > [data-view=story] gear-figure").count());
+    for (const open of [true, false]) await page.evaluate(setDrawers, open);
     const begin = performance.now();
     const until = async (/** @type {number} */ minutes) => {
       let count = 0;

@@ -208,7 +208,9 @@ export class GearFigure extends HTMLElement {
     this.#life.abort();
     this.#computation?.refuse(new Error(NOWHERE));
     this.#computation = null;
+    // Whoever starts it later, for it was to start when the page is calm, finds none.
     this.#clock?.pause();
+    this.#clock = null;
     clearTimeout(this.#notice);
     askNoMore(this.#asker);
     forgetPaint(this);
@@ -510,7 +512,7 @@ export class GearFigure extends HTMLElement {
 
   #buildPanel() {
     const extent = this.getAttribute("controls") ?? "full";
-    if (this.#panel !== null || this.#info === null || extent === "none") return;
+    if (this.#panel !== null || this.#info === null || extent === "none" || !this.isConnected) return;
     this.#panel = createPanel(this.#info.parameters, this.#given, extent === "compact" ? extent : "full", {
       change: (name, value) => this.#set(name, value),
       refuse: (problem) => this.#tell("gear-error", problem),
