@@ -13,7 +13,7 @@ const MOVES = ["wheel", "touchmove", "pointerdown", "keydown"];
 /** So long a place is kept where it was brought, ms: all figures are complete by then. */
 const LONGEST = 30_000;
 
-/** Ends the keeping of the last place. */
+/** Aborted when the reader goes on from the last place that was shown, by themselves or to another. */
 let keeping = new AbortController();
 
 const prefersStill = matchMedia("(prefers-reduced-motion: reduce)");
@@ -73,7 +73,9 @@ async function goToLine(place, behavior) {
   const line = () => figure?.shadowRoot?.getElementById(place.id) ?? null;
   if (line() === null && figure !== null) {
     show(figure, behavior);
-    if (await readerMoves(untilThere(figure, line))) return;
+    const { signal } = keeping;
+    await untilThere(figure, line);
+    if (signal.aborted) return;
   }
   const found = line();
   if (found !== null) show(found, behavior);
@@ -98,23 +100,6 @@ function untilThere(figure, line) {
     if (figure.shadowRoot) watch.observe(figure.shadowRoot, { childList: true, subtree: true });
     void customElements.whenDefined(figure.localName).then(() => figure.data?.()).then(done, done);
   });
-}
-
-/**
- * Whether the reader does something of their own before a promise is fulfilled.
- *
- * @param {Promise<void>} awaited
- * @returns {Promise<boolean>}
- */
-function readerMoves(awaited) {
-  const over = new AbortController();
-  /** @type {Promise<boolean>} */
-  const moves = new Promise((resolve) => {
-    for (const event of MOVES) {
-      addEventListener(event, () => resolve(true), { signal: over.signal, passive: true });
-    }
-  });
-  return Promise.race([moves, awaited.then(() => false)]).finally(() => over.abort());
 }
 
 /**
