@@ -119,6 +119,7 @@ test("sandboxes: without scripts the still drawing; with scripts alone, as far a
   await expect(still.locator(".why")).toHaveText(/^Scripts are not allowed here/);
   await expect(still.locator(".why")).toBeVisible();
   await expect(still.locator(".still:visible")).toHaveCount(1);
+  await expect(still.locator('[id="figure=2"] img')).toBeVisible();
   await expect(still.locator('[id="figure=2"] img')).not.toHaveJSProperty("naturalWidth", 0);
   // An origin of no name is one of others: without leave to share, its scripts cannot even be fetched.
   const alone = await show(closed, "figure=11a&omega=1.6", "allow-scripts");

@@ -27,10 +27,7 @@ function loadFaces() {
   }
 }
 
-let awake = false;
 EmbeddedFigure.wake = () => {
-  if (awake) return;
-  awake = true;
   loadFaces();
   equip(startEngine({ draws: true, fetchModule: fetchedByWorker }), new URL("../../", import.meta.url).href, () => import("./element-exports.js"));
 };

@@ -36,8 +36,10 @@ const STYLE = `
 }
 `;
 
+let awake = false;
+
 export class EmbeddedFigure extends GearFigure {
-  /** Starts what all figures share; called when the first of them comes near. */
+  /** Starts what all figures share; called once, when the first of them comes near. */
   static wake = () => {};
 
   #near = false;
@@ -60,7 +62,8 @@ export class EmbeddedFigure extends GearFigure {
         if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
         watch.disconnect();
         this.#near = true;
-        EmbeddedFigure.wake();
+        if (!awake) EmbeddedFigure.wake();
+        awake = true;
         super.connectedCallback();
       },
       { rootMargin: NEAR },

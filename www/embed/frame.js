@@ -23,7 +23,10 @@ const NAME = /^[a-z][a-z0-9_.]{0,31}$/;
 const host = window.parent === window ? null : window.parent;
 const hostOrigin = originOfHost();
 
-equipOnce();
+EmbeddedFigure.wake = () => {
+  fetchLetters();
+  equip(startEngine({ draws: true, fetchModule: fetchedByWorker }), new URL("../../", import.meta.url).href, () => import("./frame-exports.js"));
+};
 customElements.define("gear-figure", EmbeddedFigure);
 const figure = /** @type {EmbeddedFigure} */ (document.createElement("gear-figure"));
 follow();
@@ -44,16 +47,6 @@ addEventListener("message", (event) => {
   const message = understood(event.data);
   if (message !== null) obey(message);
 });
-
-function equipOnce() {
-  let awake = false;
-  EmbeddedFigure.wake = () => {
-    if (awake) return;
-    awake = true;
-    fetchLetters();
-    equip(startEngine({ draws: true, fetchModule: fetchedByWorker }), new URL("../../", import.meta.url).href, () => import("./frame-exports.js"));
-  };
-}
 
 /** The origin that embeds this frame; null where the browser does not say, as for pages from a disk and sandboxed ones. */
 function originOfHost() {
