@@ -1,4 +1,4 @@
-// A handle that goes ahead of its chart, and figures that ask together.
+// A handle that goes ahead of its chart.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
