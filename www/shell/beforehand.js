@@ -11,7 +11,9 @@
   } catch {
     // Forbidden, or written by something else.
   }
-  const theme = [address.get("theme"), remembered?.theme].find((name) => ["auto", "light", "dark", "contrast"].includes(name));
+  // Not by an array's `find`: with that, here, Firefox shows the first figure of the page in one file half a second later.
+  const own = (/** @type {unknown} */ name) => (/^(auto|light|dark|contrast)$/.test(String(name)) ? String(name) : "");
+  const theme = own(address.get("theme")) || own(remembered?.theme);
   if (theme) dataset.theme = theme;
   if (address.get("projector") === "on") dataset.projector = "true";
   if (view === "lab" || view === "class") dataset.view = view;
