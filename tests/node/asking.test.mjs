@@ -1,7 +1,7 @@
 // Figures that are answered in the frame in which their parameters changed: which of them, and in what order.
 
 import assert from "node:assert/strict";
-import test from "node:test";
+import { test } from "node:test";
 import { askInFrame } from "../../www/figure/asking.js";
 
 /** @type {(() => void)[]} */
