@@ -12,7 +12,7 @@
     // Forbidden, or written by something else.
   }
   // Not by an array's `find`: with that, here, Firefox shows the first figure of the page in one file half a second later.
-  const own = (/** @type {unknown} */ name) => (/^(auto|light|dark|contrast)$/.test(String(name)) ? String(name) : "");
+  const own = (/** @type {unknown} */ name) => (typeof name === "string" && /^(auto|light|dark|contrast)$/.test(name) ? name : "");
   const theme = own(address.get("theme")) || own(remembered?.theme);
   if (theme) dataset.theme = theme;
   if (address.get("projector") === "on") dataset.projector = "true";
